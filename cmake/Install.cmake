@@ -1,0 +1,37 @@
+# What is installed where: catkin's folders in a workspace, the usual bin/lib/include/share otherwise.
+if(RIGIDFORMER_ROS)
+  set(bin_dir ${CATKIN_PACKAGE_BIN_DESTINATION})
+  set(lib_dir ${CATKIN_PACKAGE_LIB_DESTINATION})
+  set(include_dir ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
+  set(share_dir ${CATKIN_PACKAGE_SHARE_DESTINATION})
+else()
+  include(GNUInstallDirs)
+  set(bin_dir ${CMAKE_INSTALL_BINDIR})
+  set(lib_dir ${CMAKE_INSTALL_LIBDIR})
+  set(include_dir ${CMAKE_INSTALL_INCLUDEDIR})
+  set(share_dir ${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME})
+endif()
+
+set(programs ${RIGIDFORMER_APPS})
+set(libraries rigidformer_core)
+foreach(target prediction_node demo_publisher forecast_report)
+  if(TARGET ${target})
+    list(APPEND programs ${target})
+  endif()
+endforeach()
+foreach(target rigidformer rigidformer_simulation rigidformer_ros_node)
+  if(TARGET ${target})
+    list(APPEND libraries ${target})
+  endif()
+endforeach()
+
+install(TARGETS ${programs} ${libraries}
+  RUNTIME DESTINATION ${bin_dir}
+  LIBRARY DESTINATION ${lib_dir}
+  ARCHIVE DESTINATION ${lib_dir})
+install(DIRECTORY include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY config models DESTINATION ${share_dir})
+if(RIGIDFORMER_ROS)
+  install(DIRECTORY include/rigidformer_ros DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY launch DESTINATION ${share_dir})
+endif()

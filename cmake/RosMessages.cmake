@@ -1,0 +1,24 @@
+# Messages and services. They need no LibTorch, so that a planner can compile against them on any ROS machine.
+if(RIGIDFORMER_MESSAGES_ONLY)
+  set(ros_packages geometry_msgs sensor_msgs std_msgs)
+else()
+  set(ros_packages geometry_msgs nav_msgs roscpp rosgraph_msgs roslib sensor_msgs std_msgs std_srvs tf2 tf2_ros
+      visualization_msgs)
+  # What other packages may link; LibTorch and Bullet stay inside these libraries.
+  set(exported_libraries rigidformer rigidformer_core)
+  set(exported_folders include)
+  set(exported_systems EIGEN3)
+endif()
+find_package(catkin REQUIRED COMPONENTS message_generation ${ros_packages})
+
+file(GLOB message_files RELATIVE ${PROJECT_SOURCE_DIR}/msg CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/msg/*.msg)
+file(GLOB service_files RELATIVE ${PROJECT_SOURCE_DIR}/srv CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/srv/*.srv)
+add_message_files(DIRECTORY msg FILES ${message_files})
+add_service_files(DIRECTORY srv FILES ${service_files})
+generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs)
+
+catkin_package(
+  INCLUDE_DIRS ${exported_folders}
+  LIBRARIES ${exported_libraries}
+  CATKIN_DEPENDS message_runtime ${ros_packages}
+  DEPENDS ${exported_systems})

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "rigidformer/geometry/rigid_transform.hpp"
+
+namespace rigidformer {
+
+/// Error of one scene at one moment, or the mean of such errors over scenes.
+struct PoseError {
+  double position_rmse_m = 0.0;
+  double orientation_rmse_deg = 0.0;
+};
+
+/// Pose between the steps of a forecast: `step` counts time steps from poses[0] and need not be whole (linear in
+/// position, slerp in rotation). Throws std::out_of_range when `step` lies outside the forecast.
+RigidTransform pose_at_step(const std::vector<RigidTransform>& poses, double step);
+
+/// sqrt of the mean over objects of the squared distance of the origins and of the squared geodesic angle.
+/// Throws std::invalid_argument for no objects or different counts.
+PoseError scene_error(const std::vector<RigidTransform>& predicted, const std::vector<RigidTransform>& truth);
+
+/// Mean over scenes of the per-scene errors. Throws std::invalid_argument for no scenes.
+PoseError mean_error(const std::vector<PoseError>& scenes);
+
+}  // namespace rigidformer

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rigidformer/data/scene_archive.hpp"
+#include "rigidformer/evaluation/forecaster.hpp"
+#include "rigidformer/evaluation/metrics.hpp"
+#include "rigidformer/evaluation/observation.hpp"
+
+namespace rigidformer {
+
+/// Which rollouts are made and where they are scored. All numbers count frames.
+struct ProtocolOptions {
+  std::vector<int> starts{0, 120, 240};    ///< First given frame S; the second is S + step
+  std::vector<int> steps{1, 5, 10};        ///< Time step of the rollout
+  std::vector<int> horizons{50, 75, 100};  ///< Scored at frame S + horizon
+  int max_scenes = 0;                      ///< Only the first ones; 0 = all
+  ObservationOptions observation;
+
+  /// Throws std::invalid_argument naming field and value, also when a horizon is shorter than a step.
+  void validate() const;
+};
+
+/// Mean error over the scenes of one set.
+struct Score {
+  std::string model;
+  std::string set;
+  int start = 0;
+  int step = 0;
+  int horizon = 0;
+  int num_scenes = 0;
+  PoseError error;
+  double compute_s_per_predicted_s = 0.0;  ///< Wall time of the forecaster per second of predicted motion
+};
+
+/// Called after every scene with the rollout steps made so far and in all.
+using EvaluationProgress = std::function<void(long done, long total)>;
+
+/// Rolls every forecaster out from two given frames of every scene and scores it against the recording. Scores come in
+/// the order start, step, forecaster, horizon. Throws std::invalid_argument for invalid options, no scenes or a scene
+/// that is too short.
+std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
+                            const ProtocolOptions& options, const EvaluationProgress& progress = {});
+
+}  // namespace rigidformer

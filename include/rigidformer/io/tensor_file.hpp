@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rigidformer {
+
+/// Element types a tensor file can hold.
+enum class TensorType { kFloat32, kBFloat16, kFloat64, kInt64, kInt32, kInt16, kUInt8 };
+
+std::size_t size_in_bytes(TensorType type);
+
+/// One named, dense, row-major tensor as raw little-endian bytes.
+struct RawTensor {
+  TensorType type = TensorType::kFloat32;
+  std::vector<std::int64_t> shape;
+  std::vector<std::uint8_t> bytes;
+
+  std::int64_t num_elements() const;
+};
+
+/// A file of named tensors and text metadata in the safetensors layout: an 8-byte header length, a JSON header,
+/// raw data. Reading it never executes anything. The metadata carries a SHA-256 of header and data, checked on reading.
+struct TensorFile {
+  std::map<std::string, RawTensor> tensors;
+  std::map<std::string, std::string> metadata;
+};
+
+/// Writes to a temporary file and renames it, so that a crash never leaves half a file. Throws std::runtime_error.
+void write_tensor_file(const std::filesystem::path& path, const TensorFile& file);
+
+/// Throws std::runtime_error naming path and defect: missing, truncated, foreign, oversized header, wrong hash.
+TensorFile read_tensor_file(const std::filesystem::path& path);
+
+/// SHA-256 in lower-case hex stored in the metadata of `file`; empty unless the file was read from disk.
+std::string stored_sha256(const TensorFile& file);
+
+/// Makes a raw tensor from a contiguous array.
+template <typename T>
+RawTensor make_raw_tensor(TensorType type, std::vector<std::int64_t> shape, const std::vector<T>& values) {
+  const auto* begin = reinterpret_cast<const std::uint8_t*>(values.data());
+  return {type, std::move(shape), std::vector<std::uint8_t>(begin, begin + values.size() * sizeof(T))};
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "rigidformer/model/anchor_vertex_pooling.hpp"
+#include "rigidformer/model/attention.hpp"
+
+namespace rigidformer {
+
+/// One cross-attention layer of the predictor: anchors read object tokens of one decoder output.
+struct CrossAttentionLayerImpl : torch::nn::Module {
+  explicit CrossAttentionLayerImpl(const ModelOptions& options);
+
+  /// query [B, K * A, D], key [B, K, D].
+  Tensor forward(const TokenSet& query, const TokenSet& key);
+
+  RmsNorm query_norm{nullptr}, key_norm{nullptr}, ffn_norm{nullptr};
+  GatedAttention attention{nullptr};
+  SwiGlu ffn{nullptr};
+};
+TORCH_MODULE(CrossAttentionLayer);
+
+/// Anchor queries to outputs (§3.2, App. G): anchor state and pooled vertex features make a query, which reads the
+/// object tokens of several decoder outputs in parallel; the reads are fused and regressed.
+struct AnchorPredictorImpl : torch::nn::Module {
+  explicit AnchorPredictorImpl(const ModelOptions& options);
+
+  /// anchor_state [B, K, A, F + 3 + avp_dim], keys: decoder outputs Z^(0..L) with mask and object angles,
+  /// anchor_angles [B, K, A, rotary_dim] and anchor_embedding [B, K, A or 1, D] may be undefined. Returns [B, K, A, 3].
+  Tensor forward(const Tensor& anchor_state, const std::vector<Tensor>& decoder_outputs, const TokenSet& objects,
+                 const Tensor& anchor_angles, const Tensor& anchor_embedding);
+
+  ModelOptions options;
+  Mlp to_query{nullptr};
+  Linear own_token{nullptr};
+  torch::nn::ModuleList layers;  ///< scale-major: scales x layers per scale
+  Linear fuse{nullptr};
+  RmsNorm head_norm{nullptr};
+  Mlp head{nullptr};
+};
+TORCH_MODULE(AnchorPredictor);
+
+}  // namespace rigidformer

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rigidformer/model/anchor_predictor.hpp"
+#include "rigidformer/model/anchor_vertex_pooling.hpp"
+#include "rigidformer/model/base_motion.hpp"
+#include "rigidformer/model/batch.hpp"
+#include "rigidformer/model/centre_of_mass.hpp"
+#include "rigidformer/model/decoder.hpp"
+#include "rigidformer/model/encoder.hpp"
+#include "rigidformer/model/position_encoding.hpp"
+
+namespace rigidformer {
+
+/// The outcome of one step, everything the losses of §3.4 need.
+struct StepPrediction {
+  Tensor anchors_raw;  ///< [B, K, A, 3] candidate anchors before rigid projection
+  Pose pose;           ///< Projected pose of the reference cloud at t + 1
+};
+
+/// The network of §3: two states and a step size in, the next rigid state out.
+struct RigidFormerImpl : torch::nn::Module {
+  explicit RigidFormerImpl(const ModelOptions& options);
+
+  /// Centre of mass of every object in its reference frame, [B, K, 3]; needed once per rollout.
+  Tensor centre_of_mass(const SceneBatch& batch, const Pose& current);
+
+  /// One step. centre_reference as returned by centre_of_mass().
+  StepPrediction forward(const SceneBatch& batch, const SceneState& state, const Tensor& centre_reference,
+                         const NearestSearch& nearest_search);
+
+  /// Type of the activations inside encoder, decoder and predictor: torch::kFloat32 (default), kFloat64 or kBFloat16.
+  /// Geometry (poses, Verlet, Kabsch) always stays in the type of the input.
+  void set_compute_type(torch::ScalarType type) { compute_type = type; }
+
+  ModelOptions options;
+  torch::ScalarType compute_type = torch::kFloat32;
+  CentreOfMassHead centre_of_mass_head{nullptr};
+  PointEncoder encoder{nullptr};
+  TokenPositionEncoder position_encoder{nullptr};
+  ObjectDecoder decoder{nullptr};
+  AnchorVertexPooling anchor_vertex_pooling{nullptr};
+  AnchorPredictor predictor{nullptr};
+
+ private:
+  Tensor predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
+                                const Tensor& points_world, const Nearest& nearest);
+  Tensor advance_anchors(const SceneBatch& batch, const BaseMotion& base, const Tensor& outputs,
+                         const Tensor& radius) const;
+};
+TORCH_MODULE(RigidFormer);
+
+/// The state after a step: current becomes previous. Objects whose motion is given (static, kinematic) keep the twist
+/// between their two states.
+SceneState advance(const SceneBatch& batch, const SceneState& state, const Pose& next);
+
+/// Total number of trainable parameters.
+int64_t count_parameters(const torch::nn::Module& module);
+
+}  // namespace rigidformer

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rigidformer/scene/object.hpp"
+
+namespace rigidformer {
+
+/// How to run a model. Field names are the YAML keys under `model:`.
+struct PredictorOptions {
+  std::string file;                   ///< Checkpoint (*.safetensors)
+  std::string device = "auto";        ///< auto | cpu | cuda | cuda:N; auto = CUDA when usable, else CPU
+  std::string precision = "float32";  ///< float32 | bfloat16
+  int num_threads = 1;                ///< CPU threads for tensor operations
+  int warmup_runs = 2;                ///< Dummy predictions made by warm_up()
+};
+
+/// The scene-wide settings of one rollout.
+struct RolloutOptions {
+  int num_steps = 10;                 ///< >= 1
+  double time_step_s = 10.0 / 240.0;  ///< Must lie in the model's trained range
+  double gravity = -10.0;  ///< Vertical acceleration [m/s^2]; only models with inertial base motion can change it
+  std::optional<double> ground_height_m = 0.0;  ///< Height of the ground plane z = h; empty = no ground
+};
+
+/// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; index 0 is the
+/// observation.
+struct ObjectForecast {
+  enum class Status { kOk, kDiverged };
+  std::string id;
+  Status status = Status::kOk;
+  std::vector<RigidTransform> poses;
+};
+
+struct Forecast {
+  std::vector<double> times_s;          ///< times_s[0] = 0, strictly increasing, spacing = time step
+  std::vector<ObjectForecast> objects;  ///< Same order as the input
+  double compute_time_s = 0.0;
+};
+
+/// What a loaded model is and where it can be trusted.
+struct ModelInfo {
+  std::string id;      ///< Preset and training name
+  std::string sha256;  ///< Of the checkpoint's tensors
+  std::string device;  ///< Where it runs
+  std::string precision;
+  std::int64_t num_parameters = 0;
+  double min_time_step_s = 0.0, max_time_step_s = 0.0;  ///< Trained range
+  double min_size_m = 0.0, max_size_m = 0.0;            ///< Object diameters trained on
+  double max_speed_mps = 0.0;                           ///< Point speeds trained on
+  int max_objects = 0;                                  ///< Hard limit per call
+  int max_points = 0;                                   ///< Points per object actually used; more are subsampled
+};
+
+/// Loads a RigidFormer checkpoint and rolls scenes out. Torch stays hidden behind the implementation.
+/// Not thread safe: call it from one thread.
+class Predictor {
+ public:
+  /// Throws std::runtime_error (file: missing, truncated, foreign, tampered; device not usable) or
+  /// std::invalid_argument (options), naming field and value.
+  explicit Predictor(const PredictorOptions& options);
+  virtual ~Predictor();
+  Predictor(const Predictor&) = delete;
+  Predictor& operator=(const Predictor&) = delete;
+
+  /// Runs dummy predictions so that the first real one is as fast as the rest.
+  virtual void warm_up();
+
+  /// Rolls all objects out together (paper §3). Throws std::invalid_argument naming the object or field at fault;
+  /// objects whose prediction stops being finite get Status::kDiverged and keep their last finite pose.
+  /// An empty scene gives an empty forecast.
+  virtual Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
+
+  virtual const ModelInfo& info() const;
+
+ protected:
+  Predictor();  ///< For test doubles.
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rigidformer

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+#include "rigidformer/simulation/movi_scene.hpp"
+
+namespace rigidformer {
+
+/// What to generate and where.
+struct DatasetOptions {
+  std::string set = "movi_a";      ///< movi_sphere | movi_a | movi_b
+  int num_scenes = 0;              ///< >= 1
+  std::uint64_t seed = 0;          ///< Scene i depends on seed and i only
+  std::filesystem::path output;    ///< Folder; created when missing
+  std::filesystem::path shapes;    ///< Folder in KuBasic layout; empty = built-in shapes
+  std::string format = "archive";  ///< archive (shards of 100 scenes) | kubric (one folder per scene)
+  int jobs = 1;                    ///< Threads
+
+  /// Throws std::invalid_argument naming field and value.
+  void validate() const;
+};
+
+/// Generates a data set; progress and warnings go to `log`. Finished parts found in the folder are kept, so an
+/// interrupted run can be repeated with the same arguments. Throws std::runtime_error when the folder holds scenes of
+/// another set, seed, shape library or format.
+void generate_dataset(const DatasetOptions& options, std::ostream& log);
+
+}  // namespace rigidformer

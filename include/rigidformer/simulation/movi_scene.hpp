@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rigidformer/scene/recording.hpp"
+#include "rigidformer/scene/shape.hpp"
+#include "rigidformer/simulation/bullet_world.hpp"
+
+namespace rigidformer {
+
+/// The three MOVi variants: spheres only; cubes, cylinders and spheres; everyday and organic shapes.
+enum class MoviSet { kSphere, kA, kB };
+
+/// movi_sphere | movi_a | movi_b. Throws std::invalid_argument for another name.
+MoviSet parse_movi_set(const std::string& name);
+std::string to_string(MoviSet set);
+
+/// How scenes of all sets are drawn.
+struct MoviOptions {
+  int num_frames = 480;
+  int min_objects = 3;
+  int max_objects = 10;
+  double small_size = 0.7;  ///< Uniform scale; set B draws uniformly in between
+  double large_size = 1.4;
+  Eigen::Vector3d region_min{-5.0, -5.0, 1.0};  ///< [m] Objects start inside this box
+  Eigen::Vector3d region_max{5.0, 5.0, 5.0};    ///< [m]
+  double max_speed_mps = 4.0;                   ///< Of the horizontal velocity per axis, before the pull to the middle
+  int placement_tries = 100;                    ///< Per object; then the scene is drawn again
+};
+
+/// The shapes of `set` out of `library`: the named ones for Sphere and A; for B the 11 of MOVi-B when all are there,
+/// else the whole library. Throws std::invalid_argument naming a missing shape.
+std::vector<Shape> movi_shapes(MoviSet set, const std::vector<Shape>& library);
+
+/// Bullet settings of `set` (the sets differ in solver rate).
+BulletSettings movi_bullet_settings(MoviSet set);
+
+/// Draws the initial state (one frame) of scene `index` of `seed`. Same arguments, same scene.
+SceneRecording sample_movi_scene(MoviSet set, const std::vector<Shape>& shapes, std::uint64_t seed, std::uint64_t index,
+                                 const MoviOptions& options = {});
+
+/// Draws and simulates scene `index` of `seed`.
+SceneRecording generate_movi_scene(MoviSet set, const std::vector<Shape>& shapes, std::uint64_t seed,
+                                   std::uint64_t index, const MoviOptions& options = {});
+
+}  // namespace rigidformer

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+
+#include "rigidformer/training/trainer.hpp"
+
+namespace rigidformer {
+
+/// The command line of the `train` tool.
+struct TrainCommand {
+  std::filesystem::path config;
+  TrainingPaths paths;
+  TrainingMachine machine;
+  std::int64_t iterations = 0;  ///< 0 = as in the training file
+};
+
+/// Runs it; errors become one line on `log` and exit status 1.
+int run_train(const TrainCommand& command, std::ostream& log);
+
+}  // namespace rigidformer

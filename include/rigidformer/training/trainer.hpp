@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigidformer {
+
+struct TrainingOptions;  // training/options.hpp, which needs LibTorch's headers
+
+/// Where a training run reads and writes.
+struct TrainingPaths {
+  std::vector<std::filesystem::path> data;        ///< Folders or archives of scenes to learn from
+  std::vector<std::filesystem::path> validation;  ///< Scenes never learned from; may be empty
+  std::filesystem::path shapes;                   ///< Shape library for Kubric folders; may be empty
+  std::filesystem::path output;                   ///< Receives state, model.safetensors, log.csv, loss.svg
+  std::filesystem::path initial_model;            ///< Start from these weights; may be empty
+};
+
+/// How a training run uses the machine.
+struct TrainingMachine {
+  std::string device = "auto";  ///< auto | cpu | cuda | cuda:N
+  int num_threads = 1;
+  double max_minutes = 0.0;  ///< Stop (resumably) after this time; 0 = no limit
+  bool resume = false;       ///< Go on from the state in the output folder, exactly
+};
+
+/// Trains until all iterations are done or time is up. Throws std::invalid_argument or std::runtime_error.
+void train(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine);
+
+}  // namespace rigidformer

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <torch/torch.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "rigidformer/data/scene_archive.hpp"
+
+namespace rigidformer {
+
+using torch::Tensor;
+
+/// How shapes become point sets.
+struct PointSetOptions {
+  int sets_per_shape = 24;   ///< Independent surface samplings per shape; set 0 holds the mesh vertices
+  int points_per_set = 512;  ///< Upper bound per set, in farthest-point order
+  std::uint64_t seed = 1;
+};
+
+/// All scenes of several archives as padded tensors on one device. S scenes, F frames, K objects, Q shapes, P sets,
+/// M points per set.
+struct SceneTensors {
+  Tensor poses;              ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass
+  Tensor object_mask;        ///< [S, K] bool
+  Tensor shape;              ///< [S, K] int64 into Q
+  Tensor size;               ///< [S, K]
+  Tensor properties;         ///< [S, K, 3] mass, friction, restitution
+  Tensor gravity;            ///< [S] vertical component [m/s^2]
+  Tensor shape_points;       ///< [Q, P, M, 3] at size 1
+  Tensor shape_normals;      ///< [Q, P, M, 3]; zero in set 0
+  Tensor shape_point_count;  ///< [Q, P] int64
+
+  int64_t num_scenes() const { return poses.size(0); }
+  int64_t num_frames() const { return poses.size(1); }
+  int64_t max_objects() const { return poses.size(2); }
+
+  SceneTensors to(const torch::Device& device) const;
+};
+
+/// Throws std::invalid_argument when there is no scene, or when scenes differ in their number of frames.
+SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options);
+
+}  // namespace rigidformer

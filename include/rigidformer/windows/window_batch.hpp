@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "rigidformer/model/batch.hpp"
+#include "rigidformer/windows/scene_tensors.hpp"
+#include "rigidformer/windows/window_sampler.hpp"
+
+namespace rigidformer {
+
+/// How a scene is observed and varied. Field names are the YAML keys under `augmentation:`.
+struct AugmentationOptions {
+  int min_points = 64;                   ///< Points per object, drawn per object between these bounds ...
+  int max_points = 128;                  ///< ... this is also the padded size
+  double vertex_probability = 0.0;       ///< Windows that use mesh vertices instead of surface samples
+  double view_probability = 0.0;         ///< Windows that keep only points facing one random camera
+  double noise_m = 0.0;                  ///< Largest standard deviation of point noise, drawn per window
+  double unknown_probability = 0.0;      ///< Windows whose material parameters are hidden
+  double yaw_probability = 0.5;          ///< Windows turned about the vertical axis ...
+  double yaw_step_deg = 5.0;             ///< ... by a multiple of this angle; 0 = any angle
+  bool yaw_per_batch = true;             ///< One angle for the whole batch (paper, App. E) or one per window
+  double permutation_probability = 0.5;  ///< Objects in random order (paper, App. E)
+};
+
+/// A batch of windows with ground truth. The reference frame of every cloud is the body frame, so the true centre of
+/// mass is the origin of the reference frame.
+struct WindowBatch {
+  SceneBatch scene;
+  std::vector<Pose> poses;  ///< 2 + num_steps poses; the first two are given
+};
+
+/// Assembles windows on the device of `tensors`. Random numbers come from torch's default generators.
+WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Window>& windows, int num_steps,
+                              int num_anchors, const AugmentationOptions& options);
+
+/// The settings for scoring: surface samples, no augmentation.
+AugmentationOptions no_augmentation(int num_points);
+
+/// Farthest point sampling from the point farthest from the centroid: points [B, K, N, 3] -> indices [B, K, A].
+Tensor farthest_anchors(const Tensor& points, const Tensor& point_mask, int num_anchors);
+
+}  // namespace rigidformer

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "rigidformer/windows/contact_events.hpp"
+
+namespace rigidformer {
+
+/// Which moments of which scenes are learned from. Field names are the YAML keys under `windows:`.
+struct WindowOptions {
+  std::vector<int> step_sizes = {1, 5, 10};  ///< s drawn from here ...
+  double any_step_probability = 0.0;         ///< ... or, with this probability, uniformly from 1 ... max(step_sizes)
+  double mid_air_probability = 0.0;          ///< Windows around object-object contacts
+  double floor_probability = 0.0;            ///< Windows around floor impacts; the rest is uniform in time
+};
+
+/// One window: frames `frame`, `frame` + s, ..., of one scene.
+struct Window {
+  int scene = 0;
+  int frame = 0;
+  int step_size = 1;
+};
+
+/// Draws windows of 2 + num_steps frames; around a contact, the event lies in the predicted part.
+class WindowSampler {
+ public:
+  /// Throws std::invalid_argument naming the option at fault, or when scenes are too short.
+  WindowSampler(const WindowOptions& options, ContactEvents events, int64_t num_scenes, int64_t num_frames);
+
+  Window draw(int num_steps, std::mt19937_64& random) const;
+
+ private:
+  int draw_step_size(int num_steps, std::mt19937_64& random) const;
+
+  WindowOptions options_;
+  ContactEvents events_;
+  int num_scenes_, num_frames_;
+};
+
+}  // namespace rigidformer

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "rigidformer_ros/inference_worker.hpp"
+#include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/rollout.hpp"
+#include "rigidformer_ros/track_store.hpp"
+
+namespace rigidformer_ros {
+
+/// An observed scene with its predicted future. Objects in scene, outcome.forecast and outcome.settled_steps
+/// correspond.
+struct SceneRollout {
+  ObservedScene scene;
+  RolloutOutcome outcome;
+  rigidformer::ModelInfo model;  ///< Ranges in real lengths and times
+};
+
+/// Predicts observed scenes as the parameters say. The topic and the service share one, so their numbers are the same.
+class Forecaster {
+ public:
+  Forecaster(const NodeParameters& parameters, PredictorFactory make_predictor);
+
+  bool ready() const { return worker_.state() == InferenceWorker::State::kReady; }
+  /// Why it is not ready; empty when it is.
+  std::string message() const { return worker_.message(); }
+
+  /// The loaded model with its ranges in real lengths and times, at the length scale of `scene`.
+  rigidformer::ModelInfo model_for(const ObservedScene& scene) const;
+
+  /// What predict.* asks for.
+  RolloutSettings default_settings() const;
+
+  /// Moves objects beyond the model's limit to scene.skipped, then rolls out. Throws what the predictor throws.
+  SceneRollout roll_out(ObservedScene scene, RolloutSettings settings);
+
+ private:
+  double length_scale(const ObservedScene& scene, const rigidformer::ModelInfo& info) const;
+
+  PredictParameters predict_;
+  ServiceParameters service_;
+  InferenceWorker worker_;
+};
+
+}  // namespace rigidformer_ros

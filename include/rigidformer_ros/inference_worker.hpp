@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "rigidformer/predictor.hpp"
+
+namespace rigidformer_ros {
+
+/// Makes the predictor; may throw when the model cannot be loaded.
+using PredictorFactory = std::function<std::unique_ptr<rigidformer::Predictor>()>;
+
+/// One long-lived thread that owns the predictor: it loads the model, warms it up and then runs one job after another.
+/// All public functions may be called from any thread.
+class InferenceWorker {
+ public:
+  enum class State { kLoading, kReady, kFailed };
+
+  explicit InferenceWorker(PredictorFactory make_predictor);
+  /// Finishes the job in progress; jobs still waiting get a broken promise.
+  ~InferenceWorker();
+  InferenceWorker(const InferenceWorker&) = delete;
+  InferenceWorker& operator=(const InferenceWorker&) = delete;
+
+  State state() const;
+  /// Why the model is not usable; empty when it is.
+  std::string message() const;
+  /// Of the loaded model. Throws std::logic_error unless the state is kReady.
+  rigidformer::ModelInfo info() const;
+
+  /// The future gives what Predictor::predict returns or throws. Throws std::logic_error unless the state is kReady.
+  std::future<rigidformer::Forecast> predict(std::vector<rigidformer::ObjectState> objects,
+                                             const rigidformer::RolloutOptions& options);
+
+ private:
+  void run(const PredictorFactory& make_predictor);
+  void load(const PredictorFactory& make_predictor);
+
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  State state_ = State::kLoading;
+  std::string error_;
+  rigidformer::ModelInfo info_;
+  std::unique_ptr<rigidformer::Predictor> predictor_;
+  std::deque<std::packaged_task<rigidformer::Forecast()>> jobs_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <mutex>
+#include <string>
+
+#include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/rejection_log.hpp"
+#include "rigidformer_ros/stamp_gate.hpp"
+#include "rigidformer_ros/track_store.hpp"
+
+namespace rigidformer_ros {
+
+/// The node's current view of the scene, shared between the input, forecast and service threads.
+class LiveScene {
+ public:
+  LiveScene(const NodeParameters& parameters, RejectionLog& rejections);
+
+  /// Whether a cloud with this stamp can belong to the present: to ask before costly work. Counts a rejection.
+  bool accepts(const std::string& id, const ros::Time& stamp, const ros::Time& now);
+
+  /// Takes an observation in; rejections are counted.
+  void add(const ObjectObservation& observation);
+
+  /// Forgets everything when the clock has jumped back since the last call.
+  void watch_clock(const ros::Time& now);
+
+  void reset();
+  ObservedScene snapshot(double time_step_s) const;
+
+ private:
+  RejectionLog& rejections_;
+  mutable std::mutex mutex_;
+  StampGate gate_;
+  TrackStore tracks_;
+};
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rigidformer/scene/object.hpp"
+#include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/pose_history.hpp"
+
+namespace rigidformer_ros {
+
+using rigidformer::Points;
+
+/// One object's cloud at one instant, in the fixed frame. Rows that are not finite count as "not seen".
+struct ObjectObservation {
+  std::string id;
+  ros::Time stamp;
+  Points points_world;  ///< [N, 3] m
+  rigidformer::MotionMode mode = rigidformer::MotionMode::kDynamic;
+  rigidformer::PhysicalProperties properties;
+  std::optional<RigidTransform> T_world_object;  ///< From a tracker; empty = found by registration
+};
+
+/// How well the newest cloud agrees with the moved reference cloud.
+struct RegistrationQuality {
+  double rmse_m = 0.0;
+  double inlier_ratio = 1.0;  ///< Points within the accepted RMSE
+};
+
+struct ObservedObject {
+  rigidformer::ObjectState state;  ///< Reference points about their centroid
+  bool assumed_static = false;     ///< Seen too little to know its velocity
+  bool low_quality = false;
+  RegistrationQuality quality;
+};
+
+struct SkippedObject {
+  std::string id;
+  std::string reason;
+};
+
+/// The scene at `stamp`, each object with its pose then and exactly one time step earlier. Objects are ordered by id.
+struct ObservedScene {
+  ros::Time stamp;
+  double time_step_s = 0.0;
+  std::vector<ObservedObject> objects;
+  std::vector<SkippedObject> skipped;
+};
+
+/// What became of an observation.
+enum class AddResult {
+  kExtended,       ///< Continued its track
+  kNewTrack,       ///< Began a track
+  kTimeRestarted,  ///< Stamp far in the past: everything was cleared, then a track begun
+  kLate,           ///< Slightly older than the newest: dropped
+  kTooFewPoints,   ///< Dropped
+};
+
+/// Keeps one track per object id: a reference cloud (the first seen) and the poses since. Knows time by stamps only.
+class TrackStore {
+ public:
+  TrackStore(const InputParameters& input, const HistoryParameters& history,
+             const CorrespondenceParameters& correspondence);
+
+  AddResult add(const ObjectObservation& observation);
+
+  /// The newest scene that all current objects share; empty store = empty scene with stamp 0.
+  ObservedScene snapshot(double time_step_s) const;
+
+  void clear() { tracks_.clear(); }
+  bool empty() const { return tracks_.empty(); }
+
+ private:
+  struct Track {
+    Points points_reference;  ///< All rows, about the centroid of the finite ones
+    std::vector<int> rows;    ///< Finite rows of the reference
+    PoseHistory poses;
+    RegistrationQuality quality;
+    rigidformer::MotionMode mode;
+    rigidformer::PhysicalProperties properties;
+  };
+
+  AddResult begin_track(const ObjectObservation& observation);
+  bool extend_track(Track& track, const ObjectObservation& observation) const;
+  void forget_unseen();
+  bool is_static(const Track& track) const { return track.mode == rigidformer::MotionMode::kStatic; }
+  ros::Time newest_stamp() const;
+  ros::Time common_stamp(const ros::Time& newest) const;
+  ObservedObject observe(const std::string& id, const Track& track, const ros::Time& stamp, double time_step_s) const;
+
+  InputParameters input_;
+  HistoryParameters history_;
+  CorrespondenceParameters correspondence_;
+  std::map<std::string, Track> tracks_;
+};
+
+}  // namespace rigidformer_ros

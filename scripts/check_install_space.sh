@@ -1,0 +1,65 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Checks an install space on its own: every file that users need is there, launch files resolve, programs start.
+#   scripts/check_install_space.sh WORKSPACE/install
+set -eo pipefail
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+unset CMAKE_PREFIX_PATH ROS_PACKAGE_PATH LD_LIBRARY_PATH
+# shellcheck disable=SC1091
+source "$1/setup.bash"
+share=$(rospack find rigidformer_ros)
+[ "$share" = "$1/share/rigidformer_ros" ] || { echo "found the package in $share instead"; exit 1; }
+
+cd "$root"
+find launch config models -type f | while read -r file; do
+  [ -f "$share/$file" ] || { echo "$file is not installed"; exit 1; }
+done
+(cd include && find . -name '*.hpp') | while read -r header; do
+  [ -f "$1/include/$header" ] || { echo "header $header is not installed"; exit 1; }
+done
+for file in "$share"/config/*.yaml "$share"/config/*/*.yaml; do
+  /usr/bin/python3 -c 'import sys, yaml; yaml.safe_load(open(sys.argv[1]))' "$file"
+done
+for launch in "$share"/launch/*.launch; do
+  roslaunch --nodes "$launch"
+  roslaunch --dump-params "$launch" >/dev/null
+done
+for program in generate_scenes train evaluate model_info; do
+  "$1/lib/rigidformer_ros/$program" --help >/dev/null
+done
+for program in prediction_node demo_publisher forecast_report; do
+  if ldd "$1/lib/rigidformer_ros/$program" | grep 'not found'; then exit 1; fi
+done
+
+# A package that uses the libraries must compile and link with what is exported, without a header of LibTorch.
+consumer=$(mktemp -d)
+trap 'rm -rf "$consumer"' EXIT
+cat >"$consumer/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.16)
+project(consumer LANGUAGES CXX)
+set(CMAKE_CXX_STANDARD 17)
+find_package(rigidformer_ros REQUIRED)
+add_executable(consumer main.cpp)
+target_include_directories(consumer PRIVATE ${rigidformer_ros_INCLUDE_DIRS})
+target_link_libraries(consumer ${rigidformer_ros_LIBRARIES})
+CMAKE
+cat >"$consumer/main.cpp" <<'CPP'
+#include <rigidformer/predictor.hpp>
+#include <rigidformer_ros/PredictRollout.h>
+#ifdef TORCH_VERSION
+#error "a header of LibTorch came along"
+#endif
+int main(int argc, char** argv) {
+  rigidformer_ros::PredictRollout service;
+  rigidformer::PredictorOptions options;
+  options.file = argv[0];
+  return argc > 1 ? rigidformer::Predictor(options).info().max_objects + service.request.num_steps : 0;
+}
+CPP
+cmake -S "$consumer" -B "$consumer/build" -DPYTHON_EXECUTABLE=/usr/bin/python3
+cmake --build "$consumer/build"
+if grep -i torch "$consumer/build/CMakeFiles/consumer.dir/flags.make"; then exit 1; fi
+"$consumer/build/consumer"

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/data/kubasic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace rigidformer {
+namespace {
+
+constexpr char kGeometryFile[] = "collision_geometry.obj";
+constexpr char kDataFile[] = "data.json";
+constexpr double kConvexityTolerance = 2e-3;  // [m]: published hulls are rounded to six digits and merged loosely
+
+const std::map<std::string, double>& mass_table() {
+  static const std::map<std::string, double> table = {{"cone", 0.4774},  {"cube", 0.9936},      {"cylinder", 0.7808},
+                                                      {"gear", 0.2842},  {"sphere", 0.5225},    {"sponge", 0.5476},
+                                                      {"spot", 0.2763},  {"suzanne", 0.3113},   {"teapot", 0.3227},
+                                                      {"torus", 0.2627}, {"torus_knot", 0.2724}};
+  return table;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& defect) {
+  throw std::runtime_error("shape '" + path.string() + "': " + defect);
+}
+
+/// Growing part of an OBJ file; face indices of OBJ count all vertices of the file from 1.
+struct PartBuilder {
+  std::vector<Eigen::Vector3f> vertices;
+  std::vector<Eigen::Vector3i> triangles;
+};
+
+Eigen::Vector3f parse_vertex(const std::filesystem::path& path, std::istringstream& line) {
+  Eigen::Vector3f vertex;
+  if (!(line >> vertex.x() >> vertex.y() >> vertex.z()) || !vertex.allFinite()) fail(path, "broken vertex line");
+  return vertex;
+}
+
+/// Adds a polygon as a fan of triangles. `first` is the file index of the part's first vertex.
+void parse_face(const std::filesystem::path& path, std::istringstream& line, int first, PartBuilder& part) {
+  std::vector<int> corners;
+  for (std::string word; line >> word;) {
+    int index = 0;
+    if (!(std::istringstream(word) >> index)) fail(path, "broken face line");
+    const int local = index - 1 - first;
+    if (local < 0 || local >= static_cast<int>(part.vertices.size())) {
+      fail(path, "face index " + std::to_string(index) + " points outside its group");
+    }
+    corners.push_back(local);
+  }
+  if (corners.size() < 3) fail(path, "a face has fewer than three corners");
+  for (std::size_t i = 2; i < corners.size(); ++i) part.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
+}
+
+std::vector<PartBuilder> parse_obj(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) fail(path, "cannot read");
+  std::vector<PartBuilder> parts;
+  int first = 0;
+  for (std::string text; std::getline(in, text);) {
+    std::istringstream line(text);
+    std::string keyword;
+    line >> keyword;
+    if (keyword == "o" || (parts.empty() && keyword == "v")) {
+      if (!parts.empty()) first += static_cast<int>(parts.back().vertices.size());
+      parts.emplace_back();
+    }
+    if (keyword == "v") parts.back().vertices.push_back(parse_vertex(path, line));
+    if (keyword == "f") {
+      if (parts.empty()) fail(path, "a face comes before any vertex");
+      parse_face(path, line, first, parts.back());
+    }
+  }
+  if (parts.empty()) fail(path, "holds no vertices");
+  return parts;
+}
+
+/// Turns every triangle outwards and checks that no vertex lies outside its plane.
+void orient_and_check(const std::filesystem::path& path, std::size_t index, ConvexPart& part) {
+  const Eigen::Vector3f centre = part.vertices.colwise().mean().transpose();
+  for (Eigen::Index f = 0; f < part.triangles.rows(); ++f) {
+    const Eigen::Vector3f a = part.vertices.row(part.triangles(f, 0));
+    const Eigen::Vector3f b = part.vertices.row(part.triangles(f, 1));
+    const Eigen::Vector3f c = part.vertices.row(part.triangles(f, 2));
+    Eigen::Vector3f normal = (b - a).cross(c - a);
+    if (normal.norm() == 0.0F) continue;
+    normal.normalize();
+    if (normal.dot(a - centre) < 0.0F) {
+      std::swap(part.triangles(f, 1), part.triangles(f, 2));
+      normal = -normal;
+    }
+    const float highest = ((part.vertices * normal).array() - normal.dot(a)).maxCoeff();
+    // Slivers have no reliable plane.
+    const float height = (b - a).cross(c - a).norm() / std::max({(b - a).norm(), (c - a).norm(), (c - b).norm()});
+    if (highest > kConvexityTolerance && height > kConvexityTolerance) {
+      fail(path, "group " + std::to_string(index) + " is not convex (a vertex lies " + std::to_string(highest) +
+                     " m outside a face): decompose the mesh into convex parts");
+    }
+  }
+}
+
+ConvexPart build_part(const std::filesystem::path& path, std::size_t index, const PartBuilder& builder) {
+  if (builder.vertices.size() < 4 || builder.triangles.size() < 4) {
+    fail(path, "group " + std::to_string(index) + " is not a closed mesh (needs at least 4 vertices and 4 faces)");
+  }
+  ConvexPart part;
+  part.vertices.resize(static_cast<Eigen::Index>(builder.vertices.size()), 3);
+  for (std::size_t i = 0; i < builder.vertices.size(); ++i) {
+    part.vertices.row(static_cast<Eigen::Index>(i)) = builder.vertices[i].transpose();
+  }
+  part.triangles.resize(static_cast<Eigen::Index>(builder.triangles.size()), 3);
+  for (std::size_t i = 0; i < builder.triangles.size(); ++i) {
+    part.triangles.row(static_cast<Eigen::Index>(i)) = builder.triangles[i].transpose();
+  }
+  orient_and_check(path, index, part);
+  return part;
+}
+
+double volume(const Shape& shape) {
+  double total = 0.0;
+  for (const ConvexPart& part : shape.parts) {
+    for (Eigen::Index f = 0; f < part.triangles.rows(); ++f) {
+      const Eigen::Vector3d a = part.vertices.row(part.triangles(f, 0)).cast<double>();
+      const Eigen::Vector3d b = part.vertices.row(part.triangles(f, 1)).cast<double>();
+      const Eigen::Vector3d c = part.vertices.row(part.triangles(f, 2)).cast<double>();
+      total += a.dot(b.cross(c)) / 6.0;
+    }
+  }
+  return std::abs(total);
+}
+
+/// Mass from data.json; 0 and the defect when it cannot be had.
+double mass_from_data_file(const std::filesystem::path& path, std::string& defect) {
+  std::ifstream in(path);
+  if (!in) {
+    defect = "cannot be read";
+    return 0.0;
+  }
+  try {
+    const double mass = nlohmann::json::parse(in).at("kwargs").at("mass").get<double>();
+    if (mass > 0.0 && std::isfinite(mass)) return mass;
+    defect = "kwargs.mass is not > 0";
+  } catch (const nlohmann::json::exception& exception) {
+    defect = exception.what();
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+const std::vector<std::string>& movi_b_shape_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> keys;
+    for (const auto& entry : mass_table()) keys.push_back(entry.first);
+    return keys;
+  }();
+  return names;
+}
+
+double movi_shape_mass(const std::string& name) {
+  const auto entry = mass_table().find(name);
+  return entry == mass_table().end() ? 0.0 : entry->second;
+}
+
+Shape load_kubasic_shape(const std::filesystem::path& folder, std::vector<std::string>* warnings) {
+  Shape shape;
+  shape.name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+  const std::filesystem::path geometry = folder / kGeometryFile;
+  const std::vector<PartBuilder> builders = parse_obj(geometry);
+  for (std::size_t i = 0; i < builders.size(); ++i) shape.parts.push_back(build_part(geometry, i, builders[i]));
+
+  std::string defect;
+  shape.mass_kg = mass_from_data_file(folder / kDataFile, defect);
+  if (shape.mass_kg == 0.0) {
+    const bool known = movi_shape_mass(shape.name) > 0.0;
+    shape.mass_kg = known ? movi_shape_mass(shape.name) : volume(shape);
+    if (warnings != nullptr) {
+      warnings->push_back((folder / kDataFile).string() + ": " + defect + "; using " +
+                          (known ? "the mass known from MOVi, " : "the volume as mass, ") +
+                          std::to_string(shape.mass_kg) + " kg");
+    }
+  }
+  return shape;
+}
+
+std::vector<Shape> load_kubasic_shapes(const std::filesystem::path& folder, std::vector<std::string>* warnings) {
+  if (!std::filesystem::is_directory(folder)) fail(folder, "no such folder");
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (std::filesystem::exists(entry.path() / kGeometryFile)) found.push_back(entry.path());
+  }
+  if (found.empty()) fail(folder, std::string("no sub-folder holds a ") + kGeometryFile);
+  std::sort(found.begin(), found.end());
+  std::vector<Shape> shapes;
+  for (const auto& path : found) shapes.push_back(load_kubasic_shape(path, warnings));
+  return shapes;
+}
+
+void write_kubasic_shape(const std::filesystem::path& folder, const Shape& shape) {
+  const std::filesystem::path target = folder / shape.name;
+  std::filesystem::create_directories(target);
+  std::ofstream geometry(target / kGeometryFile);
+  geometry.precision(9);
+  int first = 1;
+  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    const ConvexPart& part = shape.parts[i];
+    geometry << "o convex_" << i << '\n';
+    for (Eigen::Index v = 0; v < part.vertices.rows(); ++v) {
+      geometry << "v " << part.vertices(v, 0) << ' ' << part.vertices(v, 1) << ' ' << part.vertices(v, 2) << '\n';
+    }
+    for (Eigen::Index f = 0; f < part.triangles.rows(); ++f) {
+      geometry << "f " << part.triangles(f, 0) + first << ' ' << part.triangles(f, 1) + first << ' '
+               << part.triangles(f, 2) + first << '\n';
+    }
+    first += static_cast<int>(part.vertices.rows());
+  }
+  std::ofstream data(target / kDataFile);
+  const nlohmann::json sheet = {{"id", shape.name}, {"kwargs", {{"mass", shape.mass_kg}}}};
+  data << sheet.dump(2) << '\n';
+  geometry.close();
+  data.close();
+  if (!geometry || !data) fail(target, "cannot write");
+}
+
+}  // namespace rigidformer

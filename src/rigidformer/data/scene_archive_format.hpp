@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace rigidformer::scene_archive_format {
+
+constexpr char kFormat[] = "rigidformer_scenes";
+constexpr int kVersion = 1;
+constexpr std::size_t kPoseSize = 7;  ///< x y z qx qy qz qw
+
+[[noreturn]] inline void fail(const std::filesystem::path& path, const std::string& defect) {
+  throw std::runtime_error("scene archive '" + path.string() + "': " + defect);
+}
+
+inline std::int64_t signed_size(std::size_t size) { return static_cast<std::int64_t>(size); }
+
+}  // namespace rigidformer::scene_archive_format

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "rigidformer/data/scene_archive.hpp"
+#include "rigidformer/io/tensor_file.hpp"
+#include "scene_archive_format.hpp"
+
+namespace rigidformer {
+namespace {
+
+using namespace scene_archive_format;
+using Json = nlohmann::ordered_json;
+
+void pack_shapes(const SceneArchive& archive, TensorFile& file) {
+  std::vector<float> vertices;
+  std::vector<std::int32_t> triangles, part_shape, part_vertices, part_triangles;
+  for (std::size_t s = 0; s < archive.shapes.size(); ++s) {
+    for (const ConvexPart& part : archive.shapes[s].parts) {
+      part_shape.push_back(static_cast<std::int32_t>(s));
+      part_vertices.push_back(static_cast<std::int32_t>(part.vertices.rows()));
+      part_triangles.push_back(static_cast<std::int32_t>(part.triangles.rows()));
+      vertices.insert(vertices.end(), part.vertices.data(), part.vertices.data() + part.vertices.size());
+      triangles.insert(triangles.end(), part.triangles.data(), part.triangles.data() + part.triangles.size());
+    }
+  }
+  const auto list = [](const std::vector<std::int32_t>& values) {
+    return make_raw_tensor(TensorType::kInt32, {signed_size(values.size())}, values);
+  };
+  file.tensors["part_shape"] = list(part_shape);
+  file.tensors["part_num_vertices"] = list(part_vertices);
+  file.tensors["part_num_triangles"] = list(part_triangles);
+  file.tensors["vertices"] = make_raw_tensor(TensorType::kFloat32, {signed_size(vertices.size() / 3), 3}, vertices);
+  file.tensors["triangles"] = make_raw_tensor(TensorType::kInt32, {signed_size(triangles.size() / 3), 3}, triangles);
+}
+
+/// Columns of the object table while they grow.
+struct ObjectColumns {
+  std::vector<std::int32_t> scene, shape;
+  std::vector<double> size, mass, friction, restitution;
+  std::vector<float> poses;
+
+  void add(std::size_t scene_index, std::int32_t shape_index, const RecordedObject& object) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    scene.push_back(static_cast<std::int32_t>(scene_index));
+    shape.push_back(shape_index);
+    size.push_back(object.size);
+    mass.push_back(object.properties.mass_kg.value_or(kUnknown));
+    friction.push_back(object.properties.friction.value_or(kUnknown));
+    restitution.push_back(object.properties.restitution.value_or(kUnknown));
+    for (const RigidTransform& T : object.T_world_object) {
+      for (int i = 0; i < 3; ++i) poses.push_back(static_cast<float>(T.translation[i]));
+      for (int i = 0; i < 4; ++i) poses.push_back(static_cast<float>(T.rotation.coeffs()[i]));  // x y z w
+    }
+  }
+};
+
+std::map<std::string, std::int32_t> shape_indices(const std::filesystem::path& path, const SceneArchive& archive) {
+  std::map<std::string, std::int32_t> indices;
+  for (const Shape& shape : archive.shapes) {
+    if (!indices.emplace(shape.name, static_cast<std::int32_t>(indices.size())).second) {
+      fail(path, "two shapes are called '" + shape.name + "'");
+    }
+  }
+  return indices;
+}
+
+void pack_objects(const std::filesystem::path& path, const SceneArchive& archive, TensorFile& file) {
+  const std::map<std::string, std::int32_t> indices = shape_indices(path, archive);
+  const int num_frames = archive.scenes.empty() ? 0 : archive.scenes.front().num_frames;
+  ObjectColumns columns;
+  for (std::size_t s = 0; s < archive.scenes.size(); ++s) {
+    for (const RecordedObject& object : archive.scenes[s].objects) {
+      const auto index = indices.find(object.shape);
+      if (index == indices.end()) fail(path, "shape '" + object.shape + "' is used but not in the archive");
+      if (static_cast<int>(object.T_world_object.size()) != num_frames) {
+        fail(path, "scene " + std::to_string(s) + " has " + std::to_string(object.T_world_object.size()) +
+                       " poses per object, the first scene has " + std::to_string(num_frames));
+      }
+      columns.add(s, index->second, object);
+    }
+  }
+  const std::int64_t n = signed_size(columns.scene.size());
+  file.tensors["object_scene"] = make_raw_tensor(TensorType::kInt32, {n}, columns.scene);
+  file.tensors["object_shape"] = make_raw_tensor(TensorType::kInt32, {n}, columns.shape);
+  file.tensors["object_size"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.size);
+  file.tensors["object_mass"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.mass);
+  file.tensors["object_friction"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.friction);
+  file.tensors["object_restitution"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.restitution);
+  file.tensors["poses"] = make_raw_tensor(TensorType::kFloat32, {n, num_frames, kPoseSize}, columns.poses);
+}
+
+void pack_metadata(const SceneArchive& archive, TensorFile& file) {
+  Json shapes = Json::array();
+  for (const Shape& shape : archive.shapes) shapes.push_back({{"name", shape.name}, {"mass_kg", shape.mass_kg}});
+  Json scenes = Json::array();
+  for (const SceneRecording& scene : archive.scenes) {
+    scenes.push_back({{"name", scene.name},
+                      {"seed", scene.seed},
+                      {"frame_rate_hz", scene.frame_rate_hz},
+                      {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}}});
+  }
+  file.metadata["format"] = kFormat;
+  file.metadata["format_version"] = std::to_string(kVersion);
+  file.metadata["set"] = archive.set;
+  file.metadata["shapes"] = shapes.dump();
+  file.metadata["scenes"] = scenes.dump();
+}
+
+}  // namespace
+
+void write_scene_archive(const std::filesystem::path& path, const SceneArchive& archive) {
+  TensorFile file;
+  pack_metadata(archive, file);
+  pack_shapes(archive, file);
+  pack_objects(path, archive, file);
+  write_tensor_file(path, file);
+}
+
+}  // namespace rigidformer

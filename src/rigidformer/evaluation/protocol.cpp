@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/evaluation/protocol.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace rigidformer {
+namespace {
+
+using Poses = std::vector<RigidTransform>;
+
+void require(bool condition, const std::string& message) {
+  if (!condition) {
+    throw std::invalid_argument("evaluation: " + message);
+  }
+}
+
+void require_each(const std::vector<int>& values, const std::string& field, int least) {
+  require(!values.empty(), field + " is empty");
+  const int smallest = *std::min_element(values.begin(), values.end());
+  require(smallest >= least,
+          field + " contains " + std::to_string(smallest) + ", must be at least " + std::to_string(least));
+}
+
+/// Steps from the second given frame that reach `horizon` frames after the first.
+int steps_to_reach(int horizon, int step) { return std::max(1, (horizon - step + step - 1) / step); }
+
+/// Poses of all objects `horizon` frames after the first given frame; rollouts start one step after it.
+Poses predicted_at(const std::vector<Poses>& rollout, int horizon, int step) {
+  Poses poses;
+  for (const Poses& object : rollout) {
+    poses.push_back(pose_at_step(object, static_cast<double>(horizon - step) / step));
+  }
+  return poses;
+}
+
+Poses recorded_at(const SceneRecording& scene, int frame) {
+  Poses poses;
+  for (const RecordedObject& object : scene.objects) {
+    poses.push_back(object.T_world_object.at(frame));
+  }
+  return poses;
+}
+
+/// All scenes of one set, rolled out by one forecaster from one start with one step size.
+class Round {
+ public:
+  Round(const ProtocolOptions& options, int start, int step) : options_(options), start_(start), step_(step) {
+    num_steps_ = steps_to_reach(*std::max_element(options.horizons.begin(), options.horizons.end()), step);
+    errors_.resize(options.horizons.size());
+  }
+
+  int num_steps() const { return num_steps_; }
+
+  void add_scene(const SceneRecording& scene, const std::vector<ObjectState>& objects, Forecaster& forecaster) {
+    RolloutOptions rollout;
+    rollout.num_steps = num_steps_;
+    rollout.time_step_s = step_ / scene.frame_rate_hz;
+    rollout.gravity = scene.gravity.z();
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Poses> predicted = forecaster.forecast(objects, rollout);
+    compute_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    predicted_s_ += num_steps_ * rollout.time_step_s;
+    for (std::size_t h = 0; h < options_.horizons.size(); ++h) {
+      const int horizon = options_.horizons[h];
+      errors_[h].push_back(scene_error(predicted_at(predicted, horizon, step_), recorded_at(scene, start_ + horizon)));
+    }
+  }
+
+  void append_scores(const std::string& model, const std::string& set, std::vector<Score>& scores) const {
+    for (std::size_t h = 0; h < options_.horizons.size(); ++h) {
+      scores.push_back({model, set, start_, step_, options_.horizons[h], static_cast<int>(errors_[h].size()),
+                        mean_error(errors_[h]), compute_s_ / predicted_s_});
+    }
+  }
+
+ private:
+  const ProtocolOptions& options_;
+  int start_, step_, num_steps_ = 0;
+  std::vector<std::vector<PoseError>> errors_;  ///< [horizon][scene]
+  double compute_s_ = 0.0, predicted_s_ = 0.0;
+};
+
+std::vector<const SceneRecording*> scenes_to_score(const SceneArchive& archive, const ProtocolOptions& options) {
+  const int needed = 1 + *std::max_element(options.starts.begin(), options.starts.end()) +
+                     *std::max_element(options.horizons.begin(), options.horizons.end());
+  std::vector<const SceneRecording*> scenes;
+  for (const SceneRecording& scene : archive.scenes) {
+    if (options.max_scenes > 0 && static_cast<int>(scenes.size()) == options.max_scenes) {
+      break;
+    }
+    require(scene.num_frames >= needed, "scene " + scene.name + " has " + std::to_string(scene.num_frames) +
+                                            " frames, the starts and horizons need " + std::to_string(needed));
+    require(!scene.objects.empty(), "scene " + scene.name + " has no objects");
+    scenes.push_back(&scene);
+  }
+  require(!scenes.empty(), "set " + archive.set + " has no scenes");
+  return scenes;
+}
+
+}  // namespace
+
+void ProtocolOptions::validate() const {
+  require_each(starts, "starts", 0);
+  require_each(steps, "steps", 1);
+  require_each(horizons, "horizons", *std::max_element(steps.begin(), steps.end()));
+  require(max_scenes >= 0, "max_scenes is " + std::to_string(max_scenes) + ", must not be negative");
+  observation.validate();
+}
+
+std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
+                            const ProtocolOptions& options, const EvaluationProgress& progress) {
+  options.validate();
+  const std::vector<const SceneRecording*> scenes = scenes_to_score(archive, options);
+  const Observer observer(archive.shapes, options.observation);
+  long total = 0;
+  for (const int step : options.steps) {
+    total += Round(options, 0, step).num_steps();
+  }
+  total *= static_cast<long>(options.starts.size() * scenes.size() * forecasters.size());
+  long done = 0;
+  std::vector<Score> scores;
+  for (const int start : options.starts) {
+    for (const int step : options.steps) {
+      std::vector<Round> rounds(forecasters.size(), Round(options, start, step));
+      for (const SceneRecording* scene : scenes) {
+        const std::vector<ObjectState> objects = observer.observe(*scene, start + step, step);
+        for (std::size_t f = 0; f < forecasters.size(); ++f) {
+          rounds[f].add_scene(*scene, objects, *forecasters[f]);
+          done += rounds[f].num_steps();
+        }
+        if (progress) {
+          progress(done, total);
+        }
+      }
+      for (std::size_t f = 0; f < forecasters.size(); ++f) {
+        rounds[f].append_scores(forecasters[f]->name(), archive.set, scores);
+      }
+    }
+  }
+  return scores;
+}
+
+}  // namespace rigidformer

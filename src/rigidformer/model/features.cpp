@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/model/features.hpp"
+
+#include <vector>
+
+namespace rigidformer {
+namespace {
+
+constexpr double kSpeedUnit = 5.0;                // [m/s] velocities are divided by this
+constexpr double kSquashLengths[] = {0.05, 0.5};  // [m] resolution near contact, reach at a distance
+constexpr double kFarDisplacement = 100.0;        // [m] stands for "nothing there"
+
+/// d / (|d| + l): linear near contact (and continuous through it), bounded far away. [..., 3] -> [..., 3 per length].
+Tensor squash(const Tensor& displacement) {
+  const Tensor length = (displacement.square().sum(-1, true) + 1e-12).sqrt();
+  std::vector<Tensor> scales;
+  for (const double unit : kSquashLengths) scales.push_back(displacement / (length + unit));
+  return torch::cat(scales, -1);
+}
+
+Tensor squash_height(const Tensor& height) {
+  std::vector<Tensor> scales;
+  for (const double unit : kSquashLengths) scales.push_back(height / (height.abs() + unit));
+  return torch::cat(scales, -1);
+}
+
+/// The paper's d: nearest object point or foot point on the ground, whichever is closer.
+Tensor nearest_displacement(const Tensor& to_object, const Tensor& height) {
+  const Tensor to_ground = torch::cat({torch::zeros_like(to_object.slice(-1, 0, 2)), -height}, -1);
+  const Tensor object_closer = to_object.square().sum(-1, true) < height.square();
+  return torch::where(object_closer, to_object, to_ground);
+}
+
+/// [B, K, 3] -> [B, K, N, 3]
+Tensor per_vertex(const Tensor& per_object, int64_t N) { return per_object.unsqueeze(2).expand({-1, -1, N, -1}); }
+
+/// Material as the network reads it: mass on a logarithmic scale, unknown values at zero.
+Tensor material_code(const SceneBatch& batch) {
+  const Tensor log_mass = (batch.properties.slice(-1, 0, 1) + 1e-3).log();
+  return torch::cat({log_mass, batch.properties.slice(-1, 1)}, -1) * batch.properties_known;
+}
+
+Tensor material_features(const ModelOptions& options, const SceneBatch& batch) {
+  if (options.property_mask) return torch::cat({material_code(batch), batch.properties_known}, -1);
+  return batch.properties;
+}
+
+/// Everything about contact that a vertex can know without attention: its gap now and after free motion to the nearest
+/// vertex of another object and to the ground, the relative velocity there, and what the other object is made of.
+Tensor contact_features(const SceneBatch& batch, const Tensor& to_object, const Tensor& height, const Tensor& base_step,
+                        const Tensor& other_base_step, const Tensor& other_material, const Tensor& found) {
+  const Tensor dt = batch.time_step().reshape({-1, 1, 1, 1});
+  const Tensor relative_step = other_base_step - base_step;
+  const Tensor there = found.unsqueeze(-1).to(to_object.scalar_type());
+  const Tensor next_height = height + base_step.slice(-1, 2);
+  return torch::cat(
+      {squash(to_object) * there, squash(to_object + relative_step) * there, relative_step / (dt * kSpeedUnit) * there,
+       other_material * there, there, squash_height(height), squash_height(next_height)},
+      -1);
+}
+
+constexpr int64_t kContactFeatures = 6 + 6 + 3 + 1 + 2 + 2;  // without the partner's material
+
+}  // namespace
+
+int64_t num_vertex_features(const ModelOptions& options) {
+  const int64_t material = options.property_mask ? 6 : 3;
+  int64_t count = 3 + material;  // v and material
+  count += options.contact_features ? kContactFeatures + material : 3;
+  if (options.reference_offset_feature) count += 3;
+  if (options.position_feature) count += 3;
+  return count;
+}
+
+Tensor vertex_features(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,
+                       const BaseMotion& base, const Tensor& x, const Nearest& nearest) {
+  const int64_t N = batch.max_points();
+  const Tensor height = (x.slice(-1, 2) - batch.ground_height.reshape({-1, 1, 1, 1})).clamp_max(kFarDisplacement);
+  const Tensor far = torch::full_like(x, kFarDisplacement);
+  const Tensor to_object =
+      torch::where(nearest.found.unsqueeze(-1), gather_scene_points(x, nearest.index) - x, far);  // d
+  const Tensor v = x - state.previous.apply(batch.points_reference);
+  const Tensor material = per_vertex(material_features(options, batch), N);
+
+  std::vector<Tensor> features;
+  if (options.contact_features) {
+    const Tensor dt = batch.time_step().reshape({-1, 1, 1, 1});
+    const Tensor base_step = base.apply(batch.points_reference) - x;
+    features = {contact_features(batch, to_object, height, base_step, gather_scene_points(base_step, nearest.index),
+                                 gather_scene_points(material, nearest.index), nearest.found),
+                v / (dt * kSpeedUnit)};
+  } else {
+    features = {nearest_displacement(to_object, height), v};
+  }
+  if (options.reference_offset_feature) features.push_back(x - state.first.apply(batch.points_reference));  // r
+  if (options.position_feature) features.push_back(x - base.centre.unsqueeze(2));
+  features.push_back(material);
+  return torch::cat(features, -1).masked_fill(batch.point_mask.logical_not().unsqueeze(-1), 0.0);
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/model/rigid_projection.hpp"
+
+namespace rigidformer {
+namespace {
+
+constexpr double kSmallestDenominator = 1e-6;  // relative to the largest singular value
+
+struct SpecialProcrustes : torch::autograd::Function<SpecialProcrustes> {
+  static Tensor forward(torch::autograd::AutogradContext* context, const Tensor& H) {
+    auto [U, S, Vh] = torch::linalg_svd(H, true);
+    const Tensor V = Vh.transpose(-1, -2);
+    const Tensor sign = torch::det(torch::matmul(V, U.transpose(-1, -2))).sign().unsqueeze(-1);
+    const Tensor diagonal = torch::cat({torch::ones_like(S.slice(-1, 0, 2)), sign}, -1);
+    const Tensor R = torch::matmul(V * diagonal.unsqueeze(-2), U.transpose(-1, -2));
+    context->save_for_backward({U, S * diagonal, R});
+    return R;
+  }
+
+  /// With H^T = R P, P = U diag(s) U^T: R^T dR is the antisymmetric solution W of P W + W P = R^T dH^T - dH R.
+  static torch::autograd::tensor_list backward(torch::autograd::AutogradContext* context,
+                                               torch::autograd::tensor_list gradients) {
+    const auto saved = context->get_saved_variables();
+    const Tensor &U = saved[0], &s = saved[1], &R = saved[2];
+    const Tensor X = torch::matmul(R.transpose(-1, -2), gradients[0]);
+    const Tensor skew = 0.5 * (X - X.transpose(-1, -2));
+    Tensor denominator = s.unsqueeze(-1) + s.unsqueeze(-2);
+    const Tensor floor = (kSmallestDenominator * s.select(-1, 0)).clamp_min(1e-20).unsqueeze(-1).unsqueeze(-1);
+    denominator = torch::where(denominator.abs() < floor, floor.expand_as(denominator), denominator);
+    const Tensor Y = torch::matmul(U.transpose(-1, -2), torch::matmul(skew, U)) / denominator;
+    const Tensor gradient_Ht = 2.0 * torch::matmul(R, torch::matmul(U, torch::matmul(Y, U.transpose(-1, -2))));
+    return {gradient_Ht.transpose(-1, -2)};
+  }
+};
+
+}  // namespace
+
+Tensor special_procrustes(const Tensor& H) { return SpecialProcrustes::apply(H); }
+
+Pose align_rigidly(const Tensor& source, const Tensor& target_anchors, bool differentiable) {
+  const Tensor target = differentiable ? target_anchors : target_anchors.detach();
+  const Tensor source_mean = source.mean(-2, true), target_mean = target.mean(-2, true);
+  const Tensor H = torch::matmul((source - source_mean).transpose(-1, -2), target - target_mean);
+  const Tensor R = special_procrustes(H);
+  const Tensor t = target_mean.squeeze(-2) - torch::matmul(R, source_mean.transpose(-1, -2)).squeeze(-1);
+  return {R, t};
+}
+
+}  // namespace rigidformer

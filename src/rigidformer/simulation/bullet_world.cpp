@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/simulation/bullet_world.hpp"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace rigidformer {
+namespace {
+
+constexpr double kFloorHalfWidth = 50.0;  // [m], beyond where objects can roll in a scene
+constexpr double kFloorHalfHeight = 1.0;  // [m]
+
+btVector3 to_bullet(const Eigen::Vector3d& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+
+Eigen::Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+btTransform to_bullet(const RigidTransform& T) {
+  const Eigen::Quaterniond q = T.rotation.normalized();
+  return btTransform(btQuaternion(static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()),
+                                  static_cast<btScalar>(q.z()), static_cast<btScalar>(q.w())),
+                     to_bullet(T.translation));
+}
+
+RigidTransform from_bullet(const btTransform& T) {
+  const btQuaternion q = T.getRotation();
+  return {Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).normalized(), from_bullet(T.getOrigin())};
+}
+
+void require_positive(const char* field, double value) {
+  if (!(value > 0.0)) throw std::invalid_argument(std::string(field) + " = " + std::to_string(value) + " must be > 0");
+}
+
+double require_known(const char* field, const std::optional<double>& value) {
+  if (!value || !(*value >= 0.0)) throw std::invalid_argument(std::string(field) + " must be known and >= 0");
+  return *value;
+}
+
+/// A body with the collision shapes it owns.
+struct Body {
+  std::vector<std::unique_ptr<btConvexHullShape>> hulls;
+  std::unique_ptr<btCollisionShape> shape;
+  std::unique_ptr<btRigidBody> body;
+};
+
+std::unique_ptr<btConvexHullShape> make_hull(const ConvexPart& part, double size, double margin) {
+  auto hull = std::make_unique<btConvexHullShape>();
+  for (Eigen::Index i = 0; i < part.vertices.rows(); ++i) {
+    hull->addPoint(to_bullet(size * part.vertices.row(i).transpose().cast<double>()), false);
+  }
+  hull->recalcLocalAabb();
+  hull->optimizeConvexHull();
+  hull->setMargin(static_cast<btScalar>(margin));
+  return hull;
+}
+
+void apply_settings(const BulletSettings& settings, btContactSolverInfo& solver) {
+  solver.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_DISABLE_IMPLICIT_CONE_FRICTION;
+  solver.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+  solver.m_splitImpulse = 1;
+  solver.m_linearSlop = 0;
+  solver.m_restitutionVelocityThreshold = 0;
+  solver.m_numIterations = settings.solver_iterations;
+  solver.m_erp2 = static_cast<btScalar>(settings.contact_erp);
+  solver.m_frictionERP = static_cast<btScalar>(settings.friction_erp);
+  solver.m_leastSquaresResidualThreshold = static_cast<btScalar>(settings.least_squares_residual);
+}
+
+struct OverlapCallback : btCollisionWorld::ContactResultCallback {
+  bool overlap = false;
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    overlap = overlap || point.getDistance() <= 0;
+    return 0;
+  }
+};
+
+}  // namespace
+
+struct BulletWorld::Impl {
+  explicit Impl(const BulletSettings& world_settings)
+      : settings(world_settings),
+        dispatcher(&configuration),
+        world(&dispatcher, &broadphase, &solver, &configuration),
+        floor_shape(btVector3(kFloorHalfWidth, kFloorHalfWidth, kFloorHalfHeight)),
+        floor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &floor_shape)) {
+    world.setGravity(to_bullet(settings.gravity));
+    apply_settings(settings, world.getSolverInfo());
+    floor.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, -kFloorHalfHeight)));
+    floor.setFriction(static_cast<btScalar>(settings.floor_friction));
+    floor.setRestitution(static_cast<btScalar>(settings.floor_restitution));
+    floor.setContactProcessingThreshold(0);
+    world.addRigidBody(&floor);
+  }
+
+  ~Impl() {
+    for (const Body& body : bodies) world.removeRigidBody(body.body.get());
+    world.removeRigidBody(&floor);
+  }
+
+  BulletSettings settings;
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher;
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  mutable btDiscreteDynamicsWorld world;
+  btBoxShape floor_shape;
+  btRigidBody floor;
+  std::vector<Body> bodies;
+};
+
+void BulletSettings::validate() const {
+  require_positive("frame_rate_hz", frame_rate_hz);
+  require_positive("substeps", substeps);
+  require_positive("solver_iterations", solver_iterations);
+  if (!gravity.allFinite()) throw std::invalid_argument("gravity must be finite");
+}
+
+BulletWorld::BulletWorld(const BulletSettings& settings) {
+  settings.validate();
+  impl_ = std::make_unique<Impl>(settings);
+}
+BulletWorld::~BulletWorld() = default;
+BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
+BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
+
+int BulletWorld::add_body(const Shape& shape, double size, const PhysicalProperties& properties,
+                          const BodyState& state) {
+  require_positive("size", size);
+  const auto mass = static_cast<btScalar>(require_known("mass_kg", properties.mass_kg));
+  require_positive("mass_kg", mass);
+  if (shape.parts.empty()) throw std::invalid_argument("shape '" + shape.name + "' has no parts");
+
+  Body body;
+  auto compound = std::make_unique<btCompoundShape>();
+  for (const ConvexPart& part : shape.parts) {
+    body.hulls.push_back(make_hull(part, size, impl_->settings.hull_margin_m));
+    compound->addChildShape(btTransform::getIdentity(), body.hulls.back().get());
+  }
+  compound->setMargin(static_cast<btScalar>(impl_->settings.hull_margin_m));
+  btVector3 inertia(0, 0, 0);
+  compound->calculateLocalInertia(mass, inertia);
+  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, compound.get(), inertia);
+  info.m_friction = static_cast<btScalar>(require_known("friction", properties.friction));
+  info.m_restitution = static_cast<btScalar>(require_known("restitution", properties.restitution));
+  info.m_linearDamping = info.m_angularDamping = 0;
+  body.body = std::make_unique<btRigidBody>(info);
+  body.shape = std::move(compound);
+  body.body->setActivationState(DISABLE_DEACTIVATION);
+  body.body->setContactProcessingThreshold(0);
+  impl_->world.addRigidBody(body.body.get());
+  impl_->bodies.push_back(std::move(body));
+  set_state(num_bodies() - 1, state);
+  return num_bodies() - 1;
+}
+
+void BulletWorld::remove_last_body() {
+  if (impl_->bodies.empty()) throw std::invalid_argument("remove_last_body: the world has no bodies");
+  impl_->world.removeRigidBody(impl_->bodies.back().body.get());
+  impl_->bodies.pop_back();
+}
+
+int BulletWorld::num_bodies() const { return static_cast<int>(impl_->bodies.size()); }
+
+BodyState BulletWorld::state(int body) const {
+  const btRigidBody& rigid = *impl_->bodies.at(static_cast<std::size_t>(body)).body;
+  return {from_bullet(rigid.getWorldTransform()), from_bullet(rigid.getLinearVelocity()),
+          from_bullet(rigid.getAngularVelocity())};
+}
+
+void BulletWorld::set_state(int body, const BodyState& state) {
+  btRigidBody& rigid = *impl_->bodies.at(static_cast<std::size_t>(body)).body;
+  rigid.setCenterOfMassTransform(to_bullet(state.T_world_object));
+  rigid.setLinearVelocity(to_bullet(state.velocity));
+  rigid.setAngularVelocity(to_bullet(state.angular_velocity));
+  impl_->world.updateSingleAabb(&rigid);
+}
+
+bool BulletWorld::overlaps_any(int body) const {
+  btRigidBody* rigid = impl_->bodies.at(static_cast<std::size_t>(body)).body.get();
+  for (const Body& other : impl_->bodies) {
+    if (other.body.get() == rigid) continue;
+    OverlapCallback callback;
+    impl_->world.contactPairTest(rigid, other.body.get(), callback);
+    if (callback.overlap) return true;
+  }
+  return false;
+}
+
+void BulletWorld::step_frame() {
+  const double time_step_s = 1.0 / (impl_->settings.frame_rate_hz * impl_->settings.substeps);
+  for (int i = 0; i < impl_->settings.substeps; ++i) {
+    impl_->world.stepSimulation(static_cast<btScalar>(time_step_s), 0);
+  }
+}
+
+}  // namespace rigidformer

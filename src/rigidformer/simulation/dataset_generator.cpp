@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/simulation/dataset_generator.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "parallel_progress.hpp"
+#include "rigidformer/data/kubasic.hpp"
+#include "rigidformer/data/kubric.hpp"
+#include "rigidformer/data/scene_archive.hpp"
+#include "rigidformer/io/sha256.hpp"
+#include "rigidformer/simulation/builtin_shapes.hpp"
+
+namespace rigidformer {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kScenesPerShard = 100;
+constexpr char kGenerationFile[] = "generation.json";
+
+/// SHA-256 over names, masses and vertices.
+std::string fingerprint(const std::vector<Shape>& shapes) {
+  std::string bytes;
+  for (const Shape& shape : shapes) {
+    bytes += shape.name + '\0' + std::to_string(shape.mass_kg) + '\0';
+    const Points vertices = shape.vertices();
+    bytes.append(reinterpret_cast<const char*>(vertices.data()),
+                 static_cast<std::size_t>(vertices.size()) * sizeof(float));
+  }
+  return sha256_hex(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+}
+
+/// Notes in the folder what it holds, or checks that the note there says the same.
+void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shapes) {
+  const Json wanted = {
+      {"set", options.set}, {"seed", options.seed}, {"format", options.format}, {"shapes_sha256", fingerprint(shapes)}};
+  fs::create_directories(options.output);
+  const fs::path path = options.output / kGenerationFile;
+  if (!fs::exists(path)) {
+    if (!fs::is_empty(options.output)) {
+      throw std::runtime_error("'" + options.output.string() + "' is not empty and has no " + kGenerationFile +
+                               ": choose another folder");
+    }
+    std::ofstream out(path);
+    out << wanted.dump(2) << '\n';
+    out.close();
+    if (!out) throw std::runtime_error("cannot write '" + path.string() + "'");
+    return;
+  }
+  std::ifstream in(path);
+  const Json found = Json::parse(in, nullptr, false);
+  for (const auto& [key, value] : wanted.items()) {
+    const std::string there = found.is_object() && found.contains(key) ? found[key].dump() : "nothing";
+    if (there != value.dump()) {
+      throw std::runtime_error("'" + options.output.string() + "' holds scenes with " + key + " " + there + ", not " +
+                               value.dump() + ": choose another folder or remove it");
+    }
+  }
+}
+
+/// Shards count as finished when they read without error and hold at least the scenes asked for.
+bool is_complete_shard(const fs::path& path, int num_scenes) {
+  if (!fs::exists(path)) return false;
+  try {
+    return static_cast<int>(read_scene_archive(path).scenes.size()) >= num_scenes;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+class DatasetGenerator {
+ public:
+  DatasetGenerator(const DatasetOptions& options, std::vector<Shape> shapes, std::ostream& log)
+      : options_(options),
+        set_(parse_movi_set(options.set)),
+        shapes_(std::move(shapes)),
+        progress_(options.num_scenes, log) {}
+
+  void write_shards() {
+    for (int first = 0; first < options_.num_scenes; first += kScenesPerShard) {
+      const int count = std::min(kScenesPerShard, options_.num_scenes - first);
+      char name[40];
+      std::snprintf(name, sizeof(name), "scenes_%06d.safetensors", first);
+      const fs::path path = options_.output / name;
+      if (is_complete_shard(path, count)) {
+        progress_.skip(count);
+        continue;
+      }
+      SceneArchive archive{options_.set, shapes_, std::vector<SceneRecording>(static_cast<std::size_t>(count))};
+      parallel_for(count, options_.jobs, [&](int i) {
+        archive.scenes[static_cast<std::size_t>(i)] = generate(first + i);
+        progress_.advance();
+      });
+      write_scene_archive(path, archive);
+    }
+    progress_.finish();
+  }
+
+  void write_kubric_folders() {
+    for (const Shape& shape : shapes_) write_kubasic_shape(options_.output / "shapes", shape);
+    parallel_for(options_.num_scenes, options_.jobs, [&](int i) {
+      const fs::path folder = options_.output / std::to_string(i);
+      if (fs::exists(folder / "metadata.json")) {
+        progress_.skip(1);
+        return;
+      }
+      write_kubric_scene(folder, generate(i));
+      progress_.advance();
+    });
+    progress_.finish();
+  }
+
+ private:
+  SceneRecording generate(int index) const {
+    return generate_movi_scene(set_, shapes_, options_.seed, static_cast<std::uint64_t>(index));
+  }
+
+  const DatasetOptions& options_;
+  MoviSet set_;
+  std::vector<Shape> shapes_;
+  Progress progress_;
+};
+
+}  // namespace
+
+void DatasetOptions::validate() const {
+  parse_movi_set(set);
+  if (num_scenes < 1) throw std::invalid_argument("scenes = " + std::to_string(num_scenes) + " must be >= 1");
+  if (jobs < 1) throw std::invalid_argument("jobs = " + std::to_string(jobs) + " must be >= 1");
+  if (output.empty()) throw std::invalid_argument("out must name a folder");
+  if (format != "archive" && format != "kubric") {
+    throw std::invalid_argument("format '" + format + "' is not one of archive, kubric");
+  }
+}
+
+void generate_dataset(const DatasetOptions& options, std::ostream& log) {
+  options.validate();
+  std::vector<std::string> warnings;
+  const std::vector<Shape> shapes =
+      movi_shapes(parse_movi_set(options.set),
+                  options.shapes.empty() ? builtin_shapes() : load_kubasic_shapes(options.shapes, &warnings));
+  for (const std::string& warning : warnings) log << "warning: " << warning << '\n';
+  claim_folder(options, shapes);
+  DatasetGenerator generator(options, shapes, log);
+  if (options.format == "archive") {
+    generator.write_shards();
+  } else {
+    generator.write_kubric_folders();
+  }
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/training/losses.hpp"
+
+#include "rigidformer/model/centre_of_mass.hpp"
+
+namespace rigidformer {
+namespace {
+
+/// Smooth L1 (Eq. 7) of a residual [B, K, *, 3]: summed over coordinates, mean over the rest for valid objects.
+Tensor smooth_l1(const Tensor& residual, const Tensor& object_mask, double beta) {
+  const Tensor size = residual.abs();
+  const Tensor value = torch::where(size < beta, 0.5 * residual.square() / beta, size - 0.5 * beta).sum(-1).mean(-1);
+  const Tensor weight = object_mask.to(residual.scalar_type());
+  return (value * weight).sum() / weight.sum().clamp_min(1.0);
+}
+
+}  // namespace
+
+Tensor step_loss(const LossOptions& options, const SceneBatch& batch, const StepPrediction& prediction,
+                 const Pose& truth) {
+  const Tensor q_reference = batch.anchors_reference();
+  const Tensor q_truth = truth.apply(q_reference);
+  const Tensor raw = prediction.anchors_raw - q_truth;                // Eq. (8)
+  const Tensor rigid = prediction.pose.apply(q_reference) - q_truth;  // Eq. (9)
+  const Tensor dt = batch.time_step().reshape({-1, 1, 1, 1});
+  const Tensor unit = options.residual_unit == "dt" ? dt : dt.square();  // a - a_gt = (q - q_gt) / dt^2, Eq. (10, 11)
+  const Tensor mask = batch.object_mask.logical_and(batch.dynamic_mask);
+  const Tensor position = smooth_l1(raw, mask, options.beta) + smooth_l1(rigid, mask, options.beta);
+  const Tensor acceleration = smooth_l1(raw / unit, mask, options.beta) + smooth_l1(rigid / unit, mask, options.beta);
+  return options.position_weight * position + options.acceleration_weight * acceleration;  // Eq. (12)
+}
+
+Tensor centre_of_mass_loss(const LossOptions& options, const SceneBatch& batch, const Tensor& centre_reference) {
+  const Tensor radius = bounding_radius(batch.points_reference, batch.point_mask, torch::zeros_like(centre_reference));
+  const Tensor residual = centre_reference / radius.clamp_min(1e-3).unsqueeze(-1);
+  return options.centre_of_mass_weight * smooth_l1(residual.unsqueeze(2), batch.object_mask, 0.1);
+}
+
+Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowBatch& windows,
+                   const NearestSearch& nearest_search) {
+  const SceneBatch& scene = windows.scene;
+  SceneState state{windows.poses[0], windows.poses[0], windows.poses[1]};
+  const Tensor centre = model->centre_of_mass(scene, state.current);
+  Tensor loss = torch::zeros({}, scene.points_reference.options());
+  const size_t num_steps = windows.poses.size() - 2;
+  for (size_t step = 0; step < num_steps; ++step) {
+    // The centre of mass learns from its own loss alone: it must not serve as a free parameter of the motion.
+    const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search);
+    loss = loss + step_loss(options, scene, prediction, windows.poses[step + 2]);
+    state = advance(scene, state, prediction.pose);
+  }
+  loss = loss / static_cast<double>(num_steps);
+  return options.centre_of_mass_weight > 0.0 ? loss + centre_of_mass_loss(options, scene, centre) : loss;
+}
+
+}  // namespace rigidformer

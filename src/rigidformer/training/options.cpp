@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/training/options.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace rigidformer {
+namespace {
+
+/// Reads one YAML mapping; remembers which keys were asked for so that the others can be reported.
+class Section {
+ public:
+  Section(const YAML::Node& node, std::string name) : node_(node), name_(std::move(name)) {
+    if (node_ && !node_.IsNull() && !node_.IsMap()) throw std::invalid_argument("'" + name_ + "' must be a mapping");
+  }
+
+  template <typename T>
+  void read(const std::string& key, T& value) {
+    known_.insert(key);
+    if (!node_ || !node_.IsMap() || !node_[key]) return;
+    try {
+      value = node_[key].as<T>();
+    } catch (const YAML::Exception&) {
+      throw std::invalid_argument("'" + name_ + key + "' has the wrong type: " + YAML::Dump(node_[key]));
+    }
+  }
+
+  Section section(const std::string& key) {
+    known_.insert(key);
+    return Section(node_ && node_.IsMap() ? node_[key] : YAML::Node(), name_ + key + ".");
+  }
+
+  YAML::Node raw(const std::string& key) {
+    known_.insert(key);
+    return node_ && node_.IsMap() ? node_[key] : YAML::Node();
+  }
+
+  /// Throws when the mapping has a key that nobody read.
+  void reject_unknown() const {
+    if (!node_ || !node_.IsMap()) return;
+    for (const auto& entry : node_) {
+      const auto key = entry.first.as<std::string>();
+      if (known_.count(key) == 0) {
+        std::string list;
+        for (const std::string& name : known_) list += (list.empty() ? "" : ", ") + name;
+        throw std::invalid_argument("unknown key '" + name_ + key + "'; known: " + list);
+      }
+    }
+  }
+
+ private:
+  YAML::Node node_;
+  std::string name_;
+  std::set<std::string> known_;
+};
+
+void read_model(Section section, ModelOptions& model) {
+  std::string preset = model.preset;
+  section.read("preset", preset);
+  model = model_preset(preset);
+  section.read("num_anchors", model.num_anchors);
+  section.read("random_anchors", model.random_anchors);
+  section.read("gated_attention", model.gated_attention);
+  section.read("differentiable_alignment", model.differentiable_alignment);
+  section.read("dropout", model.dropout);
+  section.read("control_dim", model.control_dim);
+  std::string encoding = to_string(model.position_encoding);
+  section.read("position_encoding", encoding);
+  model.position_encoding = position_encoding_from_string(encoding);
+  section.read("reference_offset_feature", model.reference_offset_feature);
+  section.read("inertial_base_motion", model.inertial_base_motion);
+  section.read("contact_gate", model.contact_gate);
+  section.read("contact_gate_margin_m", model.contact_gate_margin_m);
+  section.read("centre_of_mass_head", model.centre_of_mass_head);
+  section.read("position_feature", model.position_feature);
+  section.read("contact_features", model.contact_features);
+  section.read("property_mask", model.property_mask);
+  section.read("own_token_in_query", model.own_token_in_query);
+  section.read("velocity_output", model.velocity_output);
+  section.reject_unknown();
+  validate(model);
+}
+
+void read_windows(Section section, WindowOptions& windows) {
+  section.read("step_sizes", windows.step_sizes);
+  section.read("any_step_probability", windows.any_step_probability);
+  section.read("mid_air_probability", windows.mid_air_probability);
+  section.read("floor_probability", windows.floor_probability);
+  section.reject_unknown();
+}
+
+void read_augmentation(Section section, AugmentationOptions& augmentation) {
+  section.read("min_points", augmentation.min_points);
+  section.read("max_points", augmentation.max_points);
+  section.read("vertex_probability", augmentation.vertex_probability);
+  section.read("view_probability", augmentation.view_probability);
+  section.read("noise_m", augmentation.noise_m);
+  section.read("unknown_probability", augmentation.unknown_probability);
+  section.read("yaw_probability", augmentation.yaw_probability);
+  section.read("yaw_step_deg", augmentation.yaw_step_deg);
+  section.read("yaw_per_batch", augmentation.yaw_per_batch);
+  section.read("permutation_probability", augmentation.permutation_probability);
+  section.reject_unknown();
+}
+
+void read_point_sets(Section section, PointSetOptions& point_sets) {
+  section.read("sets_per_shape", point_sets.sets_per_shape);
+  section.read("points_per_set", point_sets.points_per_set);
+  section.read("seed", point_sets.seed);
+  section.reject_unknown();
+}
+
+void read_loss(Section section, LossOptions& loss) {
+  section.read("position_weight", loss.position_weight);
+  section.read("acceleration_weight", loss.acceleration_weight);
+  section.read("residual_unit", loss.residual_unit);
+  section.read("beta", loss.beta);
+  section.read("centre_of_mass_weight", loss.centre_of_mass_weight);
+  section.reject_unknown();
+}
+
+void read_optimizer(Section section, OptimizerOptions& optimizer) {
+  section.read("learning_rate", optimizer.learning_rate);
+  section.read("final_learning_rate", optimizer.final_learning_rate);
+  section.read("warmup", optimizer.warmup);
+  section.read("weight_decay", optimizer.weight_decay);
+  section.read("beta1", optimizer.beta1);
+  section.read("beta2", optimizer.beta2);
+  section.read("clip_norm", optimizer.clip_norm);
+  section.read("ema_decay", optimizer.ema_decay);
+  section.reject_unknown();
+}
+
+void read_unroll(const YAML::Node& node, std::vector<UnrollStage>& unroll) {
+  if (!node) return;
+  unroll.clear();
+  for (const YAML::Node& entry : node) {
+    Section section(entry, "unroll[].");
+    UnrollStage stage;
+    section.read("from", stage.from);
+    section.read("steps", stage.steps);
+    section.reject_unknown();
+    unroll.push_back(stage);
+  }
+}
+
+void require(bool condition, const std::string& message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+void validate(const TrainingOptions& o) {
+  require(o.iterations > 0, "'iterations' must be positive");
+  require(o.batch_size > 0, "'batch_size' must be positive");
+  require(o.precision == "float32" || o.precision == "bfloat16", "'precision' must be float32 or bfloat16");
+  require(o.loss.residual_unit == "dt" || o.loss.residual_unit == "dt2", "'loss.residual_unit' must be dt or dt2");
+  require(o.loss.beta > 0.0, "'loss.beta' must be positive");
+  require(o.augmentation.min_points >= 4 && o.augmentation.min_points <= o.augmentation.max_points,
+          "'augmentation.min_points' must be at least 4 and at most max_points");
+  require(o.point_sets.sets_per_shape >= 2 && o.point_sets.points_per_set >= o.augmentation.max_points,
+          "'point_sets' needs at least 2 sets per shape and points_per_set of at least augmentation.max_points");
+  require(!o.unroll.empty() && o.unroll.front().from == 0.0, "'unroll' must start with from: 0");
+  for (const UnrollStage& stage : o.unroll) require(stage.steps >= 1, "'unroll[].steps' must be at least 1");
+}
+
+}  // namespace
+
+TrainingOptions load_training_options(const std::filesystem::path& file) {
+  TrainingOptions options;
+  try {
+    Section root(YAML::LoadFile(file.string()), "");
+    read_model(root.section("model"), options.model);
+    read_windows(root.section("windows"), options.windows);
+    read_augmentation(root.section("augmentation"), options.augmentation);
+    read_point_sets(root.section("point_sets"), options.point_sets);
+    read_loss(root.section("loss"), options.loss);
+    read_optimizer(root.section("optimizer"), options.optimizer);
+    read_unroll(root.raw("unroll"), options.unroll);
+    root.read("iterations", options.iterations);
+    root.read("batch_size", options.batch_size);
+    root.read("seed", options.seed);
+    root.read("precision", options.precision);
+    root.read("log_every", options.log_every);
+    root.read("checkpoint_every_s", options.checkpoint_every_s);
+    root.read("validate_every_s", options.validate_every_s);
+    root.read("validation_scenes", options.validation_scenes);
+    root.reject_unknown();
+    validate(options);
+  } catch (const YAML::Exception& exception) {
+    throw std::invalid_argument("training file '" + file.string() + "': " + exception.what());
+  } catch (const std::invalid_argument& exception) {
+    throw std::invalid_argument("training file '" + file.string() + "': " + exception.what());
+  }
+  return options;
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/training/trainer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+#include "rigidformer/data/scene_loader.hpp"
+#include "rigidformer/model/checkpoint.hpp"
+#include "rigidformer/model/device.hpp"
+#include "rigidformer/model/nearest.hpp"
+#include "rigidformer/model/tensor_conversion.hpp"
+#include "rigidformer/training/losses.hpp"
+#include "rigidformer/training/optimizer.hpp"
+#include "rigidformer/training/run_log.hpp"
+#include "rigidformer/training/training_data.hpp"
+#include "rigidformer/training/validation.hpp"
+
+namespace rigidformer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// The state of a run: everything one needs to go on, and the loop over iterations.
+class Trainer {
+ public:
+  Trainer(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine);
+  void run();
+
+ private:
+  void load_weights();
+  void learn_once(LogEntry& entry);
+  void log(LogEntry entry);
+  void validate();
+  void save();
+  void restore();
+  int unroll_steps() const;
+  double progress() const { return static_cast<double>(iteration_) / static_cast<double>(options_.iterations); }
+
+  TrainingOptions options_;
+  TrainingPaths paths_;
+  TrainingMachine machine_;
+  torch::Device device_;
+  TrainingData data_;
+  RigidFormer model_{nullptr};
+  std::unique_ptr<FlatAdamW> optimizer_;
+  std::unique_ptr<RunLog> log_;
+  std::int64_t iteration_ = 0, windows_ = 0, windows_logged_ = 0;
+  Clock::time_point last_log_;
+  Tensor loss_sum_, norm_sum_;
+};
+
+Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine)
+    : options_(options), paths_(paths), machine_(machine), device_(select_device(machine.device)) {
+  torch::set_num_threads(machine.num_threads);
+  std::filesystem::create_directories(paths.output);
+  data_ = load_training_data(paths, options, device_);
+  std::cerr << data_.summary << "device " << device_ << '\n';
+  load_weights();
+  optimizer_ = std::make_unique<FlatAdamW>(*model_, options_.optimizer);
+  if (machine.resume) restore();
+  log_ = std::make_unique<RunLog>(paths.output, options_.iterations, machine.resume);
+  loss_sum_ = torch::zeros({}, device_);
+  norm_sum_ = torch::zeros({}, device_);
+}
+
+void Trainer::load_weights() {
+  torch::manual_seed(options_.seed);
+  if (paths_.initial_model.empty()) {
+    model_ = RigidFormer(options_.model);
+  } else {
+    model_ = load_checkpoint(paths_.initial_model).model;
+    options_.model = model_->options;
+  }
+  if (options_.precision == "bfloat16") model_->set_compute_type(torch::kBFloat16);
+  model_->to(device_);
+  model_->train();
+  std::cerr << "model " << options_.model.preset << ": " << count_parameters(*model_) << " parameters\n";
+}
+
+int Trainer::unroll_steps() const {
+  int steps = 1;
+  for (const UnrollStage& stage : options_.unroll) {
+    if (progress() >= stage.from) steps = stage.steps;
+  }
+  return steps;
+}
+
+void Trainer::learn_once(LogEntry& entry) {
+  // All randomness of an iteration follows from its number, so that a resumed run repeats the uninterrupted one.
+  const std::uint64_t seed = options_.seed * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(iteration_);
+  std::mt19937_64 random(seed);
+  torch::manual_seed(seed);
+  entry.unroll_steps = unroll_steps();
+  std::vector<Window> windows;
+  for (int i = 0; i < options_.batch_size; ++i) windows.push_back(data_.sampler->draw(entry.unroll_steps, random));
+  const WindowBatch batch =
+      make_window_batch(data_.training, windows, entry.unroll_steps, options_.model.num_anchors, options_.augmentation);
+  optimizer_->zero_gradient();
+  const Tensor loss = window_loss(options_.loss, model_, batch, nearest_by_distance_matrix);
+  loss.backward();
+  entry.learning_rate = learning_rate_at(options_.optimizer, progress());
+  norm_sum_ += optimizer_->step(entry.learning_rate);
+  loss_sum_ += loss.detach();
+  windows_ += options_.batch_size;
+  entry.iteration = ++iteration_;
+}
+
+void Trainer::log(LogEntry entry) {
+  entry.loss = loss_sum_.item<double>() / options_.log_every;
+  entry.gradient_norm = norm_sum_.item<double>() / options_.log_every;
+  entry.windows_per_s = static_cast<double>(windows_ - windows_logged_) / seconds_since(last_log_);
+  log_->write(entry);
+  loss_sum_.zero_();
+  norm_sum_.zero_();
+  windows_logged_ = windows_;
+  last_log_ = Clock::now();
+  if (!std::isfinite(entry.loss)) {
+    throw std::runtime_error("training diverged: the loss is not finite at iteration " +
+                             std::to_string(entry.iteration) + "; lower optimizer.learning_rate");
+  }
+}
+
+void Trainer::validate() {
+  optimizer_->swap_average();
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << "validation at iteration " << iteration_
+       << " (s = 10, frame 100; position m / orientation deg, ballistic in brackets)\n";
+  for (const auto& [name, tensors] : data_.validation) {
+    text << "  " << name << ':';
+    for (const RolloutScore& score : validate_rollouts(model_, tensors, options_.validation_scenes, {})) {
+      text << "  start " << score.start_frame << ' ' << score.position_m << '/' << std::setprecision(1)
+           << score.orientation_deg << std::setprecision(3) << " [" << score.ballistic_position_m << '/'
+           << std::setprecision(1) << score.ballistic_orientation_deg << std::setprecision(3) << ']';
+    }
+    text << '\n';
+  }
+  for (const auto& [kind, windows] : data_.validation_windows) {
+    const OneStepScore score = one_step_error(model_, data_.validation.front().second, windows, 256);
+    text << "  one step, " << kind << ": " << std::setprecision(4) << score.model_m << " m (base motion "
+         << score.base_m << " m)\n";
+  }
+  optimizer_->swap_average();
+  if (!data_.validation.empty()) log_->note(text.str());
+}
+
+void Trainer::save() {
+  TensorFile state;
+  for (const auto& [name, tensor] : optimizer_->state()) {
+    state.tensors.emplace(name, to_raw(tensor, TensorType::kFloat32));
+  }
+  state.metadata = {{"format", "rigidformer-training-state"},
+                    {"iteration", std::to_string(iteration_)},
+                    {"windows", std::to_string(windows_)},
+                    {"optimizer_steps", std::to_string(optimizer_->num_steps)},
+                    {"model", to_json(options_.model)}};
+  write_tensor_file(paths_.output / "state.safetensors", state);
+
+  TrainingFacts facts = data_.facts;
+  facts.iterations = iteration_;
+  facts.windows = windows_;
+  facts.seed = options_.seed;
+  facts.min_points = options_.augmentation.min_points;
+  facts.max_points = options_.augmentation.max_points;
+  optimizer_->swap_average();
+  save_checkpoint(paths_.output / "model.safetensors", model_, facts);
+  save_checkpoint(paths_.output / "model_bfloat16.safetensors", model_, facts, TensorType::kBFloat16);
+  optimizer_->swap_average();
+}
+
+void Trainer::restore() {
+  const std::filesystem::path file = paths_.output / "state.safetensors";
+  const TensorFile state = read_tensor_file(file);
+  if (state.metadata.at("model") != to_json(options_.model)) {
+    throw std::runtime_error("'" + file.string() + "' was written for other model options; use another --out");
+  }
+  torch::NoGradGuard no_grad;
+  for (auto& [name, tensor] : optimizer_->state()) tensor.copy_(from_raw(state.tensors.at(name)));
+  iteration_ = std::stoll(state.metadata.at("iteration"));
+  windows_ = windows_logged_ = std::stoll(state.metadata.at("windows"));
+  optimizer_->num_steps = std::stoll(state.metadata.at("optimizer_steps"));
+}
+
+void Trainer::run() {
+  const Clock::time_point start = Clock::now();
+  Clock::time_point last_save = start, last_validation = start;
+  last_log_ = start;
+  const auto time_is_up = [&] {
+    return machine_.max_minutes > 0.0 && seconds_since(start) > 60.0 * machine_.max_minutes;
+  };
+  while (iteration_ < options_.iterations && !time_is_up()) {
+    LogEntry entry;
+    learn_once(entry);
+    if (iteration_ % options_.log_every == 0) log(entry);
+    if (seconds_since(last_save) > options_.checkpoint_every_s) {
+      save();
+      last_save = Clock::now();
+    }
+    if (seconds_since(last_validation) > options_.validate_every_s) {
+      validate();
+      last_validation = Clock::now();
+    }
+  }
+  save();
+  validate();
+  log_->plot();
+}
+
+}  // namespace
+
+void train(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine) {
+  Trainer(options, paths, machine).run();
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/training/training_data.hpp"
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "rigidformer/data/scene_loader.hpp"
+
+namespace rigidformer {
+namespace {
+
+constexpr int kWindowsPerKind = 256;
+
+std::vector<SceneArchive> load_all(const std::vector<std::filesystem::path>& folders,
+                                   const std::filesystem::path& shapes) {
+  std::vector<SceneArchive> archives;
+  for (const auto& folder : folders) archives.push_back(load_scenes(folder, shapes));
+  return archives;
+}
+
+/// Object diameters and centre-of-mass speeds in the data: where the model can be trusted.
+void measure_ranges(const SceneTensors& tensors, TrainingFacts& facts) {
+  const Tensor shape_radius = tensors.shape_points.select(1, 0).norm(2, -1).amax(-1);  // [Q]
+  const Tensor diameter = (2.0 * shape_radius.index({tensors.shape}) * tensors.size).masked_select(tensors.object_mask);
+  facts.min_diameter_m = diameter.min().item<double>();
+  facts.max_diameter_m = diameter.max().item<double>();
+  const Tensor position = tensors.poses.slice(-1, 0, 3);
+  const Tensor step = position.slice(1, 1) - position.slice(1, 0, -1);
+  facts.max_speed_mps = kFrameRateHz * step.norm(2, -1).max().item<double>();
+}
+
+std::vector<Window> draw_windows(WindowOptions options, const ContactEvents& events, const SceneTensors& tensors) {
+  options.step_sizes = {10};
+  options.any_step_probability = 0.0;
+  const WindowSampler sampler(options, events, tensors.num_scenes(), tensors.num_frames());
+  std::mt19937_64 random(7);
+  std::vector<Window> windows;
+  for (int i = 0; i < kWindowsPerKind; ++i) windows.push_back(sampler.draw(1, random));
+  return windows;
+}
+
+/// One-step validation windows by kind, the metric that shows where learning stands.
+void add_validation_windows(const SceneTensors& tensors, TrainingData& data) {
+  const ContactEvents events = find_contact_events(tensors);
+  WindowOptions mid_air, floor, any;
+  mid_air.mid_air_probability = 1.0;
+  floor.floor_probability = 1.0;
+  data.validation_windows = {{"mid-air collision", draw_windows(mid_air, events, tensors)},
+                             {"floor impact", draw_windows(floor, events, tensors)},
+                             {"any time", draw_windows(any, events, tensors)}};
+}
+
+}  // namespace
+
+TrainingData load_training_data(const TrainingPaths& paths, const TrainingOptions& options,
+                                const torch::Device& device) {
+  TrainingData data;
+  std::ostringstream summary;
+  const std::vector<SceneArchive> archives = load_all(paths.data, paths.shapes);
+  for (const SceneArchive& archive : archives) {
+    data.facts.data +=
+        (data.facts.data.empty() ? "" : ", ") + archive.set + " " + std::to_string(archive.scenes.size());
+  }
+  const SceneTensors tensors = make_scene_tensors(archives, options.point_sets);
+  ContactEvents events = find_contact_events(tensors);
+  summary << "training scenes: " << data.facts.data << "; contact frames: " << events.mid_air.size() << " mid-air, "
+          << events.floor.size() << " floor\n";
+  measure_ranges(tensors, data.facts);
+  const auto [smallest, largest] =
+      std::minmax_element(options.windows.step_sizes.begin(), options.windows.step_sizes.end());
+  data.facts.min_step_frames = options.windows.any_step_probability > 0.0 ? 1 : *smallest;
+  data.facts.max_step_frames = *largest;
+  data.sampler =
+      std::make_shared<WindowSampler>(options.windows, std::move(events), tensors.num_scenes(), tensors.num_frames());
+  data.training = tensors.to(device);
+
+  PointSetOptions validation_points = options.point_sets;
+  validation_points.seed += 1000003;  // other surface samples than in training
+  for (const auto& folder : paths.validation) {
+    const SceneTensors scenes = make_scene_tensors({load_scenes(folder, paths.shapes)}, validation_points);
+    if (data.validation_windows.empty()) add_validation_windows(scenes, data);
+    data.validation.emplace_back(folder.filename().string(), scenes.to(device));
+  }
+  data.summary = summary.str();
+  return data;
+}
+
+}  // namespace rigidformer

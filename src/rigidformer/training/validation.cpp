@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/training/validation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rigidformer/model/nearest.hpp"
+#include "rigidformer/windows/window_batch.hpp"
+
+namespace rigidformer {
+namespace {
+
+/// Per-scene RMSE over valid objects of `squared` [B, K] -> [B].
+Tensor scene_rmse(const Tensor& squared, const Tensor& object_mask) {
+  const Tensor weight = object_mask.to(squared.scalar_type());
+  return ((squared * weight).sum(-1) / weight.sum(-1).clamp_min(1.0)).sqrt();
+}
+
+struct Errors {
+  Tensor position, orientation;  ///< [B] m, degrees
+};
+
+/// Scores of predicted against true poses of body frames whose origin is the centre of mass.
+Errors pose_errors(const Pose& predicted, const Pose& truth, const Tensor& object_mask) {
+  const Tensor shift = (predicted.translation - truth.translation).square().sum(-1);
+  const Tensor relative = torch::matmul(predicted.rotation.transpose(-1, -2), truth.rotation);
+  const Tensor trace = relative.diagonal(0, -2, -1).sum(-1);
+  const Tensor angle = ((trace - 1.0) / 2.0).clamp(-1.0, 1.0).acos() * (180.0 / M_PI);
+  return {scene_rmse(shift, object_mask), scene_rmse(angle.square(), object_mask)};
+}
+
+/// Free flight of the body frames: constant velocity, gravity (Verlet form), constant spin.
+Pose ballistic(const WindowBatch& windows, int num_steps) {
+  const Pose &first = windows.poses[0], &second = windows.poses[1];
+  const Tensor fall = (windows.scene.gravity * windows.scene.time_step().square()).reshape({-1, 1, 1});
+  const Tensor spin = torch::matmul(second.rotation, first.rotation.transpose(-1, -2));
+  Tensor step = second.translation - first.translation;
+  Pose pose = second;
+  for (int k = 0; k < num_steps; ++k) {
+    step = torch::cat({step.slice(-1, 0, 2), step.slice(-1, 2) + fall}, -1);
+    pose = {torch::matmul(spin, pose.rotation), pose.translation + step};
+  }
+  return pose;
+}
+
+Pose roll_out(RigidFormer& model, const WindowBatch& windows, int num_steps) {
+  SceneState state{windows.poses[0], windows.poses[0], windows.poses[1]};
+  const Tensor centre = model->centre_of_mass(windows.scene, state.current);
+  for (int k = 0; k < num_steps; ++k) {
+    const StepPrediction prediction = model->forward(windows.scene, state, centre, nearest_by_distance_matrix);
+    state = advance(windows.scene, state, prediction.pose);
+  }
+  return state.current;
+}
+
+}  // namespace
+
+std::vector<RolloutScore> validate_rollouts(RigidFormer& model, const SceneTensors& tensors, int max_scenes,
+                                            const ValidationOptions& options) {
+  torch::NoGradGuard no_grad;
+  model->eval();
+  const int num_scenes = static_cast<int>(std::min<int64_t>(max_scenes, tensors.num_scenes()));
+  std::vector<RolloutScore> scores;
+  for (const int start : options.start_frames) {
+    Tensor sums = torch::zeros({4}, torch::kFloat64);
+    for (int begin = 0; begin < num_scenes; begin += options.batch_size) {
+      std::vector<Window> windows;
+      for (int scene = begin; scene < std::min(num_scenes, begin + options.batch_size); ++scene) {
+        windows.push_back({scene, start, options.step_size});
+      }
+      const WindowBatch batch = make_window_batch(tensors, windows, options.num_steps, model->options.num_anchors,
+                                                  no_augmentation(options.num_points));
+      const Pose& truth = batch.poses.back();
+      const Errors errors = pose_errors(roll_out(model, batch, options.num_steps), truth, batch.scene.object_mask);
+      const Errors guess = pose_errors(ballistic(batch, options.num_steps), truth, batch.scene.object_mask);
+      sums +=
+          torch::stack({errors.position.sum(), errors.orientation.sum(), guess.position.sum(), guess.orientation.sum()})
+              .to(torch::kCPU, torch::kFloat64);
+    }
+    sums /= num_scenes;
+    scores.push_back(
+        {start, sums[0].item<double>(), sums[1].item<double>(), sums[2].item<double>(), sums[3].item<double>()});
+  }
+  model->train();
+  return scores;
+}
+
+OneStepScore one_step_error(RigidFormer& model, const SceneTensors& tensors, const std::vector<Window>& windows,
+                            int num_points) {
+  torch::NoGradGuard no_grad;
+  model->eval();
+  const WindowBatch batch =
+      make_window_batch(tensors, windows, 1, model->options.num_anchors, no_augmentation(num_points));
+  const SceneBatch& scene = batch.scene;
+  const SceneState state{batch.poses[0], batch.poses[0], batch.poses[1]};
+  const Tensor centre = model->centre_of_mass(scene, state.current);
+  const StepPrediction prediction = model->forward(scene, state, centre, nearest_by_distance_matrix);
+  const Tensor q = scene.anchors_reference();
+  const Tensor truth = batch.poses[2].apply(q);
+  const BaseMotion base = make_base_motion(model->options, scene, state, centre);
+  const Tensor weight = scene.object_mask.to(torch::kFloat32);
+  const auto mean_error = [&](const Tensor& predicted) {
+    const Tensor error = (predicted - truth).norm(2, -1).mean(-1);
+    return ((error * weight).sum() / weight.sum()).item<double>();
+  };
+  const OneStepScore score{mean_error(prediction.pose.apply(q)), mean_error(base.apply(q))};
+  model->train();
+  return score;
+}
+
+}  // namespace rigidformer

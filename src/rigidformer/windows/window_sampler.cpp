@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/windows/window_sampler.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace rigidformer {
+namespace {
+
+int uniform_int(int low, int high, std::mt19937_64& random) {
+  return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+void check_probability(double value, const std::string& name) {
+  if (!(value >= 0.0 && value <= 1.0)) {
+    throw std::invalid_argument("windows." + name + " is " + std::to_string(value) + ", must lie in [0, 1]");
+  }
+}
+
+}  // namespace
+
+WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events, int64_t num_scenes, int64_t num_frames)
+    : options_(options),
+      events_(std::move(events)),
+      num_scenes_(static_cast<int>(num_scenes)),
+      num_frames_(static_cast<int>(num_frames)) {
+  check_probability(options.any_step_probability, "any_step_probability");
+  check_probability(options.mid_air_probability, "mid_air_probability");
+  check_probability(options.floor_probability, "floor_probability");
+  check_probability(options.mid_air_probability + options.floor_probability, "mid_air_probability + floor_probability");
+  if (options.step_sizes.empty()) throw std::invalid_argument("windows.step_sizes is empty");
+  const auto [smallest, largest] = std::minmax_element(options.step_sizes.begin(), options.step_sizes.end());
+  if (*smallest < 1 || 2 * *largest >= num_frames_) {
+    throw std::invalid_argument("windows.step_sizes must be at least 1 and fit three frames into a scene of " +
+                                std::to_string(num_frames_) + " frames");
+  }
+}
+
+int WindowSampler::draw_step_size(int num_steps, std::mt19937_64& random) const {
+  const auto& sizes = options_.step_sizes;
+  const int longest = (num_frames_ - 1) / (num_steps + 1);  // window must fit into the scene
+  const bool any = std::uniform_real_distribution<>()(random) < options_.any_step_probability;
+  const int s = any ? uniform_int(1, *std::max_element(sizes.begin(), sizes.end()), random)
+                    : sizes[static_cast<size_t>(uniform_int(0, static_cast<int>(sizes.size()) - 1, random))];
+  return std::min(s, longest);
+}
+
+Window WindowSampler::draw(int num_steps, std::mt19937_64& random) const {
+  const int s = draw_step_size(num_steps, random);
+  const int last_start = num_frames_ - 1 - s * (num_steps + 1);
+  const double kind = std::uniform_real_distribution<>()(random);
+  const std::vector<ContactEvent>* list = nullptr;
+  if (kind < options_.mid_air_probability) {
+    list = &events_.mid_air;
+  } else if (kind < options_.mid_air_probability + options_.floor_probability) {
+    list = &events_.floor;
+  }
+  if (list == nullptr || list->empty()) {
+    return {uniform_int(0, num_scenes_ - 1, random), uniform_int(0, last_start, random), s};
+  }
+  const ContactEvent& event = (*list)[static_cast<size_t>(uniform_int(0, static_cast<int>(list->size()) - 1, random))];
+  const int lead = s + uniform_int(0, s * num_steps - 1, random);
+  return {event.scene, std::clamp(event.frame - lead, 0, last_start), s};
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include <vector>
+
+#include "rigidformer/geometry/rigid_transform.hpp"
+
+namespace rigidformer_ros::demo {
+
+/// Cloud with the fields x y z [m].
+sensor_msgs::PointCloud2 make_object_cloud(const rigidformer::Points& points, const std_msgs::Header& header);
+
+/// All objects in one cloud: x y z [m], label (1, 2, ...).
+sensor_msgs::PointCloud2 make_labelled_cloud(const std::vector<rigidformer::Points>& objects,
+                                             const std_msgs::Header& header);
+
+/// Pose of a camera at `position` that looks at `target` (optical frame: z forward, x right, y down); z up in world.
+rigidformer::RigidTransform look_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target);
+
+}  // namespace rigidformer_ros::demo

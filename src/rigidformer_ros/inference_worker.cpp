@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/inference_worker.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace rigidformer_ros {
+
+InferenceWorker::InferenceWorker(PredictorFactory make_predictor)
+    : thread_([this, make = std::move(make_predictor)] { run(make); }) {}
+
+InferenceWorker::~InferenceWorker() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+    jobs_.clear();
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+InferenceWorker::State InferenceWorker::state() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_;
+}
+
+std::string InferenceWorker::message() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  switch (state_) {
+    case State::kLoading:
+      return "the model is being loaded and warmed up";
+    case State::kFailed:
+      return "the model could not be loaded: " + error_;
+    default:
+      return "";
+  }
+}
+
+rigidformer::ModelInfo InferenceWorker::info() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (state_ != State::kReady) {
+    throw std::logic_error("no model information before the model is ready");
+  }
+  return info_;
+}
+
+std::future<rigidformer::Forecast> InferenceWorker::predict(std::vector<rigidformer::ObjectState> objects,
+                                                            const rigidformer::RolloutOptions& options) {
+  std::packaged_task<rigidformer::Forecast()> job(
+      [this, objects = std::move(objects), options] { return predictor_->predict(objects, options); });
+  std::future<rigidformer::Forecast> result = job.get_future();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (state_ != State::kReady) {
+      throw std::logic_error("no prediction before the model is ready");
+    }
+    if (stopping_) {
+      throw std::logic_error("no prediction while the node shuts down");
+    }
+    jobs_.push_back(std::move(job));
+  }
+  wake_.notify_all();
+  return result;
+}
+
+void InferenceWorker::load(const PredictorFactory& make_predictor) {
+  State outcome = State::kReady;
+  std::string error;
+  rigidformer::ModelInfo info;
+  try {
+    predictor_ = make_predictor();
+    predictor_->warm_up();
+    info = predictor_->info();
+  } catch (const std::exception& failure) {
+    outcome = State::kFailed;
+    error = failure.what();
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  info_ = info;
+  error_ = error;
+  state_ = outcome;
+}
+
+void InferenceWorker::run(const PredictorFactory& make_predictor) {
+  load(make_predictor);
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [this] { return stopping_ || !jobs_.empty(); });
+    if (stopping_) {
+      return;
+    }
+    std::packaged_task<rigidformer::Forecast()> job = std::move(jobs_.front());
+    jobs_.pop_front();
+    lock.unlock();
+    job();
+    lock.lock();
+  }
+}
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/object_inputs.hpp"
+
+#include <ros/console.h>
+#include <ros/master.h>
+
+#include <utility>
+
+#include "rigidformer_ros/wildcard.hpp"
+
+namespace rigidformer_ros {
+
+namespace {
+
+// '*' is no legal character of a ROS name, so the node handle cannot resolve a pattern.
+std::string resolve_pattern(const ros::NodeHandle& node, const std::string& pattern) {
+  if (pattern.empty() || pattern.front() == '/') {
+    return pattern;
+  }
+  const std::string& ns = node.getNamespace();
+  return ns.back() == '/' ? ns + pattern : ns + "/" + pattern;
+}
+
+}  // namespace
+
+ObjectInputs::ObjectInputs(ros::NodeHandle& node, const InputParameters& input, Handler handler)
+    : node_(node), input_(input), pattern_(resolve_pattern(node, input.object_topics)), handler_(std::move(handler)) {
+  for (const ListedObject& object : input_.objects) {
+    subscribe(object);
+  }
+  if (!pattern_.empty()) {
+    discover();
+    discovery_timer_ = node_.createWallTimer(ros::WallDuration(input_.discovery_period),
+                                             [this](const ros::WallTimerEvent&) { discover(); });
+  }
+}
+
+void ObjectInputs::subscribe(const ListedObject& source) {
+  ListedObject resolved = source;
+  resolved.topic = node_.resolveName(source.topic);
+  const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> callback =
+      [this, resolved](const sensor_msgs::PointCloud2ConstPtr& cloud) { handler_(resolved, *cloud); };
+  subscribers_[resolved.topic] = node_.subscribe<sensor_msgs::PointCloud2>(
+      resolved.topic, static_cast<std::uint32_t>(input_.queue_size), callback);
+  ROS_INFO_STREAM("Object '" << resolved.id << "' is read from " << resolved.topic);
+}
+
+void ObjectInputs::discover() {
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) {
+    return;  // the master is away for the moment; the timer asks again
+  }
+  for (const ros::master::TopicInfo& topic : topics) {
+    const auto id = match_topic(pattern_, topic.name);
+    if (id && topic.datatype == "sensor_msgs/PointCloud2" && subscribers_.count(topic.name) == 0) {
+      subscribe({*id, topic.name, rigidformer::MotionMode::kDynamic, {}});
+    }
+  }
+}
+
+std::string ObjectInputs::describe() const {
+  std::string text;
+  for (const auto& [topic, subscriber] : subscribers_) {
+    text += (text.empty() ? "" : ", ") + topic;
+  }
+  if (!pattern_.empty()) {
+    text += (text.empty() ? "" : ", ") + ("topics that match " + pattern_);
+  }
+  return text.empty() ? "no topics (input/objects and input/object_topics are empty)" : text;
+}
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/parameters.hpp"
+
+#include <set>
+#include <stdexcept>
+
+#include "rigidformer_ros/parameter_reader.hpp"
+#include "rigidformer_ros/wildcard.hpp"
+
+namespace rigidformer_ros {
+
+namespace {
+
+using rigidformer::MotionMode;
+using rigidformer::PhysicalProperties;
+
+constexpr Range kSeconds{0.0, 3600.0};
+constexpr Range kPositiveSeconds{1e-3, 3600.0};
+
+void read_properties(ParameterReader& reader, PhysicalProperties& properties) {
+  reader.read("mass", properties.mass_kg, {1e-6, 1e6}, "unknown");
+  reader.read("friction", properties.friction, {0.0, 10.0}, "unknown");
+  reader.read("restitution", properties.restitution, {0.0, 1.0}, "unknown");
+}
+
+void require_text(const ParameterReader& reader, const std::string& key, const std::string& value) {
+  if (value.empty()) {
+    throw std::invalid_argument("parameter " + reader.path() + "/" + key + ": is missing or empty");
+  }
+}
+
+ListedObject read_listed_object(ParameterReader& reader) {
+  ListedObject object;
+  std::string mode = "dynamic";
+  reader.read("id", object.id);
+  reader.read("topic", object.topic);
+  reader.read("mode", mode, {"dynamic", "kinematic", "static"});
+  read_properties(reader, object.properties);
+  require_text(reader, "id", object.id);
+  require_text(reader, "topic", object.topic);
+  object.mode = mode == "static"      ? MotionMode::kStatic
+                : mode == "kinematic" ? MotionMode::kKinematic
+                                      : MotionMode::kDynamic;
+  return object;
+}
+
+void read_input(ParameterReader& reader, InputParameters& input) {
+  std::set<std::string> ids;
+  std::set<std::string> topics;
+  reader.list("objects", [&](ParameterReader& element) {
+    input.objects.push_back(read_listed_object(element));
+    if (!ids.insert(input.objects.back().id).second) {
+      throw std::invalid_argument("parameter " + element.path() + "/id: '" + input.objects.back().id +
+                                  "' is listed twice, ids must be unique");
+    }
+    if (!topics.insert(input.objects.back().topic).second) {
+      throw std::invalid_argument("parameter " + element.path() + "/topic: '" + input.objects.back().topic +
+                                  "' is listed twice, every object needs its own topic");
+    }
+  });
+  reader.read("object_topics", input.object_topics);
+  if (!input.object_topics.empty() && !is_topic_pattern(input.object_topics)) {
+    throw std::invalid_argument("parameter " + reader.path() + "/object_topics: is '" + input.object_topics +
+                                "', must be a topic name with one '*' as a whole segment, or empty");
+  }
+  reader.read("discovery_period", input.discovery_period, {0.1, 60.0});
+  reader.read("queue_size", input.queue_size, {1, 1000});
+  reader.read("min_points", input.min_points, {4, 1e6});
+  reader.read("max_points", input.max_points, {4, 1e8});
+  reader.read("sync_window", input.sync_window, kSeconds);
+}
+
+void read_history(ParameterReader& reader, HistoryParameters& history) {
+  reader.read("min_dt", history.min_dt, {1e-4, 1.0});
+  reader.read("max_dt", history.max_dt, {1e-3, 10.0});
+  reader.read("object_timeout", history.object_timeout, kPositiveSeconds);
+  reader.read("jump_threshold", history.jump_threshold, kPositiveSeconds);
+  reader.read("max_speed", history.max_speed, {0.01, 1e4});
+  reader.read("max_angular_speed", history.max_angular_speed, {0.01, 1e4});
+  if (history.min_dt >= history.max_dt) {
+    throw std::invalid_argument("parameter " + reader.path() + "/max_dt: is " + std::to_string(history.max_dt) +
+                                ", must be greater than min_dt = " + std::to_string(history.min_dt));
+  }
+}
+
+void read_model(ParameterReader& reader, rigidformer::PredictorOptions& model) {
+  reader.read("file", model.file);
+  reader.read("device", model.device);
+  reader.read("precision", model.precision, {"float32", "bfloat16"});
+  reader.read("num_threads", model.num_threads, {1, 256});
+  reader.read("warmup_runs", model.warmup_runs, {0, 100});
+}
+
+void read_predict(ParameterReader& reader, PredictParameters& predict) {
+  reader.read("rate", predict.rate, {0.01, 1000.0});
+  reader.read("num_steps", predict.num_steps, {1, 10000});
+  reader.read("time_step", predict.time_step, {1e-4, 10.0});
+  reader.read("gravity", predict.gravity, {-100.0, 0.0});
+  reader.read("ground_height", predict.ground_height, {-1e4, 1e4}, "none");
+  reader.read("length_scale", predict.length_scale, {1e-4, 1e4}, "auto");
+}
+
+void read_service(ParameterReader& reader, ServiceParameters& service) {
+  reader.read("max_steps", service.max_steps, {1, 100000});
+  reader.read("max_wall_time", service.max_wall_time, kPositiveSeconds);
+  reader.read("max_state_age", service.max_state_age, kPositiveSeconds);
+  reader.read("max_returned_points", service.max_returned_points, {1, 1e8});
+  reader.read("settle_linear_speed", service.settle_linear_speed, {0.0, 100.0});
+  reader.read("settle_angular_speed", service.settle_angular_speed, {0.0, 100.0});
+  reader.read("settle_duration", service.settle_duration, kSeconds);
+}
+
+void read_property_parameters(ParameterReader& reader, PropertyParameters& properties) {
+  read_properties(reader, properties.defaults);
+  reader.list("objects", [&](ParameterReader& element) {
+    PropertyRule rule;
+    element.read("id", rule.id);
+    require_text(element, "id", rule.id);
+    read_properties(element, rule.properties);
+    properties.objects.push_back(rule);
+  });
+}
+
+void read_display(ParameterReader& reader, DisplayParameters& display) {
+  constexpr Range kMetres{1e-5, 100.0};
+  reader.read("markers", display.markers);
+  reader.read("ghost_every", display.ghost_every, {1, 100000});
+  reader.read("max_ghost_points", display.max_ghost_points, {1, 100000});
+  reader.read("point_size", display.point_size, kMetres);
+  reader.read("path_width", display.path_width, kMetres);
+  reader.read("label_size", display.label_size, kMetres);
+  reader.read("marker_lifetime", display.marker_lifetime, kSeconds);
+}
+
+void overlay(PhysicalProperties& base, const PhysicalProperties& top) {
+  base.mass_kg = top.mass_kg ? top.mass_kg : base.mass_kg;
+  base.friction = top.friction ? top.friction : base.friction;
+  base.restitution = top.restitution ? top.restitution : base.restitution;
+}
+
+}  // namespace
+
+rigidformer::PredictorOptions default_model_options() {
+  rigidformer::PredictorOptions options;
+  options.file = "package://rigidformer_ros/models/small.safetensors";
+  return options;
+}
+
+NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree) {
+  NodeParameters p;
+  ParameterReader reader(tree, "");
+  reader.read("fixed_frame", p.fixed_frame);
+  reader.read("tf_timeout", p.tf_timeout, {0.0, 10.0});
+  reader.read("max_stamp_skew", p.max_stamp_skew, kPositiveSeconds);
+  reader.group("input", [&](ParameterReader& group) { read_input(group, p.input); });
+  reader.group("history", [&](ParameterReader& group) { read_history(group, p.history); });
+  reader.group("correspondence", [&](ParameterReader& group) {
+    group.read("method", p.correspondence.method, {"ordered"});
+    group.read("max_rmse", p.correspondence.max_rmse, {1e-6, 10.0});
+  });
+  reader.group("model", [&](ParameterReader& group) { read_model(group, p.model); });
+  reader.group("predict", [&](ParameterReader& group) { read_predict(group, p.predict); });
+  reader.group("service", [&](ParameterReader& group) { read_service(group, p.service); });
+  reader.group("properties", [&](ParameterReader& group) { read_property_parameters(group, p.properties); });
+  reader.group("display", [&](ParameterReader& group) { read_display(group, p.display); });
+  reader.group("diagnostics", [&](ParameterReader& group) {
+    group.read("report_period", p.diagnostics.report_period, {0.1, 3600.0});
+  });
+  reader.finish();
+  if (p.fixed_frame.empty()) {
+    throw std::invalid_argument("parameter fixed_frame: is empty, must name a tf frame with z up");
+  }
+  return p;
+}
+
+PhysicalProperties resolve_properties(const PropertyParameters& parameters, const std::string& id,
+                                      const PhysicalProperties& known) {
+  PhysicalProperties properties = parameters.defaults;
+  for (const PropertyRule& rule : parameters.objects) {
+    if (matches_wildcard(rule.id, id)) {
+      overlay(properties, rule.properties);
+    }
+  }
+  overlay(properties, known);
+  return properties;
+}
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/pose_history.hpp"
+
+#include <cmath>
+
+namespace rigidformer_ros {
+
+namespace {
+
+constexpr std::size_t kMaxEntries = 64;
+constexpr double kMaxSpacingRatio = 3.0;  // a parabola through unevenly spaced poses amplifies their noise
+constexpr double kSameInstant = 1e-9;     // [s] resolution of a stamp
+
+}  // namespace
+
+void PoseHistory::add(const ros::Time& stamp, const RigidTransform& T_world_object, double min_dt_s) {
+  if (!entries_.empty() &&
+      (stamp == entries_.back().stamp || (stamp - entries_.back().first_stamp).toSec() < min_dt_s)) {
+    entries_.back().stamp = stamp;
+    entries_.back().T_world_object = T_world_object;
+    return;
+  }
+  entries_.push_back({stamp, stamp, T_world_object});
+  if (entries_.size() > kMaxEntries) {
+    entries_.pop_front();
+  }
+}
+
+std::optional<RigidTransform> PoseHistory::pose_before(const ros::Time& stamp, double seconds) const {
+  const auto into = [&](std::size_t i) { return (stamp - entries_[i].stamp).toSec() - seconds; };
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (std::abs(into(i)) < kSameInstant) {
+      return entries_[i].T_world_object;
+    }
+  }
+  if (entries_.size() < 2) {
+    return std::nullopt;
+  }
+  // The segment [i, i + 1] that holds the instant, or the first or last one to extrapolate from.
+  std::size_t segment = 0;
+  while (segment + 2 < entries_.size() && into(segment + 1) > 0.0) {
+    ++segment;
+  }
+  const double fraction = into(segment) / seconds_between(segment, segment + 1);
+  if (fraction < -1.0 || fraction > 2.0) {
+    return std::nullopt;
+  }
+  RigidTransform pose =
+      rigidformer::interpolate(entries_[segment].T_world_object, entries_[segment + 1].T_world_object, fraction);
+  pose.translation = position_at(segment, into(segment));
+  return pose;
+}
+
+double PoseHistory::seconds_between(std::size_t reference, std::size_t index) const {
+  return (entries_[index].stamp - entries_[reference].stamp).toSec();
+}
+
+Eigen::Vector3d PoseHistory::position_at(std::size_t segment, double t) const {
+  const auto position = [&](std::size_t i) { return entries_[i].T_world_object.translation; };
+  const double width = seconds_between(segment, segment + 1);
+  const bool has_before = segment > 0;
+  if (has_before || segment + 2 < entries_.size()) {
+    const std::size_t third = has_before ? segment - 1 : segment + 2;
+    const double c = seconds_between(segment, third);
+    const double gap = has_before ? -c : c - width;
+    if (gap * kMaxSpacingRatio > width && gap < kMaxSpacingRatio * width) {
+      return position(segment) * ((t - width) * (t - c) / (width * c)) +
+             position(segment + 1) * (t * (t - c) / (width * (width - c))) +
+             position(third) * (t * (t - width) / (c * (c - width)));
+    }
+  }
+  return position(segment) + (t / width) * (position(segment + 1) - position(segment));
+}
+
+}  // namespace rigidformer_ros

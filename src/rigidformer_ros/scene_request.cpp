@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/scene_request.hpp"
+
+#include <rigidformer_ros/PredictRollout.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "rigidformer_ros/cloud_conversion.hpp"
+#include "rigidformer_ros/conversions.hpp"
+#include "rigidformer_ros/frame_transformer.hpp"
+
+namespace rigidformer_ros {
+
+namespace {
+
+using Response = PredictRollout::Response;
+
+[[noreturn]] void reject(const std::string& message) { throw RequestError(Response::INVALID_REQUEST, message); }
+
+void require_length(const std::string& field, const char* member, std::size_t length, std::size_t expected,
+                    bool may_be_empty) {
+  if (length != expected && !(may_be_empty && length == 0)) {
+    reject(field + "." + member + ": has " + std::to_string(length) + " entries, " + field + ".ids has " +
+           std::to_string(expected));
+  }
+}
+
+void check_shape(const ObjectClouds& clouds, const std::string& field) {
+  const std::size_t count = clouds.ids.size();
+  if (count == 0) {
+    reject(field + ".ids: is empty although other fields of " + field + " are filled");
+  }
+  require_length(field, "clouds", clouds.clouds.size(), count, false);
+  require_length(field, "modes", clouds.modes.size(), count, true);
+  require_length(field, "poses", clouds.poses.size(), count, true);
+  require_length(field, "properties", clouds.properties.size(), count, true);
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = field + ".ids[" + std::to_string(i) + "]";
+    if (clouds.ids[i].empty()) {
+      reject(name + ": is empty");
+    }
+    if (!seen.insert(clouds.ids[i]).second) {
+      reject(name + ": '" + clouds.ids[i] + "' occurs twice");
+    }
+  }
+}
+
+RigidTransform look_up(const ObjectClouds& clouds, const std::string& field, const NodeParameters& parameters,
+                       const FrameLookup& T_fixed_from) {
+  const std::string& frame = clouds.header.frame_id;
+  try {
+    return T_fixed_from(frame.empty() ? parameters.fixed_frame : frame, clouds.header.stamp);
+  } catch (const TransformError& error) {
+    throw RequestError(Response::FRAME_TRANSFORM_FAILURE, field + ".header.frame_id: " + error.what());
+  }
+}
+
+ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, const NodeParameters& parameters,
+                              const RigidTransform& T_fixed_cloud) {
+  ObjectObservation object;
+  object.id = clouds.ids[i];
+  object.stamp = clouds.header.stamp;
+  object.points_world =
+      T_fixed_cloud.apply(read_points(clouds.clouds[i], static_cast<std::uint64_t>(parameters.input.max_points)));
+  if (!clouds.modes.empty()) {
+    object.mode = to_motion_mode(clouds.modes[i]);
+  }
+  if (!clouds.poses.empty()) {
+    object.T_world_object = T_fixed_cloud * to_transform(clouds.poses[i]);
+  }
+  const auto known =
+      clouds.properties.empty() ? rigidformer::PhysicalProperties{} : to_properties(clouds.properties[i]);
+  object.properties = resolve_properties(parameters.properties, object.id, known);
+  const std::size_t finite = finite_rows(object.points_world).size();
+  if (finite < static_cast<std::size_t>(parameters.input.min_points)) {
+    throw std::invalid_argument("has " + std::to_string(finite) + " finite points, needs at least " +
+                                std::to_string(parameters.input.min_points));
+  }
+  return object;
+}
+
+void check_same_objects(const ObjectClouds& scene, const ObjectClouds& previous) {
+  for (const std::string& id : scene.ids) {
+    if (std::count(previous.ids.begin(), previous.ids.end(), id) == 0) {
+      reject("previous_scene.ids: lacks '" + id + "' of scene.ids");
+    }
+  }
+  for (const std::string& id : previous.ids) {
+    if (std::count(scene.ids.begin(), scene.ids.end(), id) == 0) {
+      reject("previous_scene.ids: '" + id + "' is not in scene.ids");
+    }
+  }
+}
+
+void check_interval(const ObjectClouds& scene, const ObjectClouds& previous, const HistoryParameters& history) {
+  const double dt = (scene.header.stamp - previous.header.stamp).toSec();
+  if (dt < history.min_dt || dt > history.max_dt) {
+    reject("previous_scene.header.stamp: lies " + std::to_string(dt) + " s before scene.header.stamp, must be in [" +
+           std::to_string(history.min_dt) + ", " + std::to_string(history.max_dt) + "] s");
+  }
+}
+
+}  // namespace
+
+bool is_empty(const ObjectClouds& clouds) {
+  return clouds.ids.empty() && clouds.modes.empty() && clouds.clouds.empty() && clouds.poses.empty() &&
+         clouds.properties.empty();
+}
+
+std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std::string& field,
+                                          const NodeParameters& parameters, const FrameLookup& T_fixed_from) {
+  check_shape(clouds, field);
+  const RigidTransform T_fixed_cloud = look_up(clouds, field, parameters, T_fixed_from);
+  std::vector<ObjectObservation> objects;
+  for (std::size_t i = 0; i < clouds.ids.size(); ++i) {
+    try {
+      objects.push_back(read_object(clouds, i, parameters, T_fixed_cloud));
+    } catch (const std::invalid_argument& error) {
+      reject(field + " object " + std::to_string(i) + " '" + clouds.ids[i] + "': " + error.what());
+    }
+  }
+  return objects;
+}
+
+TrackStore track_scenes(const ObjectClouds& scene, const ObjectClouds& previous, const NodeParameters& parameters,
+                        const FrameLookup& T_fixed_from) {
+  TrackStore tracks(parameters.input, parameters.history, parameters.correspondence);
+  const bool has_previous = !is_empty(previous);
+  if (has_previous) {
+    for (const ObjectObservation& object : read_scene(previous, "previous_scene", parameters, T_fixed_from)) {
+      tracks.add(object);
+    }
+    check_same_objects(scene, previous);
+    check_interval(scene, previous, parameters.history);
+  }
+  for (const ObjectObservation& object : read_scene(scene, "scene", parameters, T_fixed_from)) {
+    if (tracks.add(object) != AddResult::kExtended && has_previous) {
+      reject("previous_scene object '" + object.id +
+             "': other points than in scene, or a motion faster than history/max_speed or max_angular_speed");
+    }
+  }
+  return tracks;
+}
+
+}  // namespace rigidformer_ros

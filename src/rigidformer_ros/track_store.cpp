@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/track_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "rigidformer/geometry/rigid_registration.hpp"
+#include "rigidformer_ros/cloud_conversion.hpp"
+
+namespace rigidformer_ros {
+
+namespace {
+
+RegistrationQuality measure(const RigidTransform& T, const Points& reference, const Points& cloud, double inlier_m) {
+  const Eigen::VectorXd residuals = rigidformer::registration_residuals(T, reference, cloud);
+  const auto inliers = (residuals.array() <= inlier_m).count();
+  return {std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
+          static_cast<double>(inliers) / static_cast<double>(residuals.size())};
+}
+
+std::vector<int> common_rows(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> both;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+}  // namespace
+
+TrackStore::TrackStore(const InputParameters& input, const HistoryParameters& history,
+                       const CorrespondenceParameters& correspondence)
+    : input_(input), history_(history), correspondence_(correspondence) {}
+
+AddResult TrackStore::add(const ObjectObservation& observation) {
+  if (finite_rows(observation.points_world).size() < static_cast<std::size_t>(input_.min_points)) {
+    return AddResult::kTooFewPoints;
+  }
+  const auto found = tracks_.find(observation.id);
+  if (found == tracks_.end()) {
+    return begin_track(observation);
+  }
+  Track& track = found->second;
+  const double dt = (observation.stamp - track.poses.newest_stamp()).toSec();
+  if (dt < -history_.jump_threshold) {
+    clear();
+    begin_track(observation);
+    return AddResult::kTimeRestarted;
+  }
+  if (dt < 0.0) {
+    return AddResult::kLate;
+  }
+  if (dt > history_.max_dt || !extend_track(track, observation)) {
+    return begin_track(observation);
+  }
+  forget_unseen();
+  return AddResult::kExtended;
+}
+
+AddResult TrackStore::begin_track(const ObjectObservation& observation) {
+  Track track;
+  track.rows = finite_rows(observation.points_world);
+  track.mode = observation.mode;
+  track.properties = observation.properties;
+  const Points seen = select_rows(observation.points_world, track.rows);
+  const RigidTransform T_world_object = observation.T_world_object.value_or(
+      RigidTransform{Eigen::Quaterniond::Identity(), seen.cast<double>().colwise().mean().transpose()});
+  track.points_reference = T_world_object.inverse().apply(observation.points_world);
+  track.poses.add(observation.stamp, T_world_object, history_.min_dt);
+  tracks_[observation.id] = std::move(track);
+  forget_unseen();
+  return AddResult::kNewTrack;
+}
+
+// False when the cloud cannot be the tracked object any more: other points, or a motion that no real object makes.
+bool TrackStore::extend_track(Track& track, const ObjectObservation& observation) const {
+  if (observation.points_world.rows() != track.points_reference.rows()) {
+    return false;
+  }
+  const std::vector<int> rows = common_rows(track.rows, finite_rows(observation.points_world));
+  if (rows.size() < static_cast<std::size_t>(input_.min_points)) {
+    return false;
+  }
+  const Points reference = select_rows(track.points_reference, rows);
+  const Points cloud = select_rows(observation.points_world, rows);
+  const RigidTransform T_world_object =
+      observation.T_world_object.value_or(rigidformer::fit_rigid_transform(reference, cloud));
+  const double dt = std::max((observation.stamp - track.poses.newest_stamp()).toSec(), history_.min_dt);
+  const RigidTransform& before = track.poses.newest_pose();
+  if ((T_world_object.translation - before.translation).norm() > history_.max_speed * dt ||
+      rigidformer::rotation_angle(T_world_object.rotation, before.rotation) > history_.max_angular_speed * dt) {
+    return false;
+  }
+  track.poses.add(observation.stamp, T_world_object, history_.min_dt);
+  track.quality = measure(T_world_object, reference, cloud, correspondence_.max_rmse);
+  track.mode = observation.mode;
+  track.properties = observation.properties;
+  return true;
+}
+
+// Static objects may be seen only once (a latched table): they stay until clear().
+void TrackStore::forget_unseen() {
+  const ros::Time newest = newest_stamp();
+  for (auto it = tracks_.begin(); it != tracks_.end();) {
+    const bool expired =
+        !is_static(it->second) && (newest - it->second.poses.newest_stamp()).toSec() > history_.object_timeout;
+    it = expired ? tracks_.erase(it) : std::next(it);
+  }
+}
+
+ros::Time TrackStore::newest_stamp() const {
+  ros::Time newest;
+  for (const auto& [id, track] : tracks_) {
+    newest = std::max(newest, track.poses.newest_stamp());
+  }
+  return newest;
+}
+
+// Objects arrive one after another: the scene is taken where the slowest of them is, so that none is extrapolated.
+ros::Time TrackStore::common_stamp(const ros::Time& newest) const {
+  ros::Time common = newest;
+  for (const auto& [id, track] : tracks_) {
+    const ros::Time stamp = track.poses.newest_stamp();
+    if (!is_static(track) && (newest - stamp).toSec() <= input_.sync_window) {
+      common = std::min(common, stamp);
+    }
+  }
+  return common;
+}
+
+ObservedScene TrackStore::snapshot(double time_step_s) const {
+  ObservedScene scene;
+  scene.time_step_s = time_step_s;
+  if (tracks_.empty()) {
+    return scene;
+  }
+  ros::Time newest;
+  for (const auto& [id, track] : tracks_) {
+    if (!is_static(track)) {
+      newest = std::max(newest, track.poses.newest_stamp());
+    }
+  }
+  newest = newest.isZero() ? newest_stamp() : newest;
+  scene.stamp = common_stamp(newest);
+  for (const auto& [id, track] : tracks_) {
+    const double behind = (newest - track.poses.newest_stamp()).toSec();
+    if (!is_static(track) && behind > input_.sync_window) {
+      scene.skipped.push_back({id, "not seen for " + std::to_string(behind) + " s"});
+    } else if (!is_static(track) && !track.poses.pose_at(scene.stamp)) {
+      scene.skipped.push_back({id, "seen for the first time after the other objects"});
+    } else {
+      scene.objects.push_back(observe(id, track, scene.stamp, time_step_s));
+    }
+  }
+  return scene;
+}
+
+ObservedObject TrackStore::observe(const std::string& id, const Track& track, const ros::Time& stamp,
+                                   double time_step_s) const {
+  ObservedObject object;
+  object.state.id = id;
+  object.state.mode = track.mode;
+  object.state.points_reference = select_rows(track.points_reference, track.rows);
+  object.state.properties = track.properties;
+  object.quality = track.quality;
+  object.low_quality = track.quality.rmse_m > correspondence_.max_rmse;
+  if (is_static(track)) {
+    object.state.T_world_current = track.poses.newest_pose();
+    object.state.T_world_previous = track.poses.newest_pose();
+    return object;
+  }
+  object.state.T_world_current = *track.poses.pose_at(stamp);
+  const auto previous = track.poses.pose_before(stamp, time_step_s);
+  object.assumed_static = !previous;
+  object.state.T_world_previous = previous.value_or(object.state.T_world_current);
+  return object;
+}
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/data/kubric.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "example_archive.hpp"
+
+namespace rigidformer {
+namespace {
+
+TEST(Kubric, RoundTripKeepsTheScene) {
+  const TemporaryFolder folder;
+  const SceneRecording written = example_archive().scenes[1];
+  write_kubric_scene(folder.path() / "1", written);
+  const SceneRecording read = read_kubric_scene(folder.path() / "1");
+
+  EXPECT_EQ(read.name, "1");
+  EXPECT_EQ(read.seed, written.seed);
+  EXPECT_EQ(read.num_frames, written.num_frames);
+  EXPECT_EQ(read.frame_rate_hz, written.frame_rate_hz);
+  EXPECT_EQ(read.gravity, written.gravity);
+  ASSERT_EQ(read.objects.size(), written.objects.size());
+  for (std::size_t i = 0; i < read.objects.size(); ++i) {
+    EXPECT_EQ(read.objects[i].shape, written.objects[i].shape);
+    EXPECT_EQ(read.objects[i].size, written.objects[i].size);
+    EXPECT_EQ(read.objects[i].properties.mass_kg, written.objects[i].properties.mass_kg);
+    EXPECT_FALSE(read.objects[i].properties.restitution.has_value());
+    EXPECT_EQ(read.objects[i].velocities, written.objects[i].velocities);
+    EXPECT_EQ(read.objects[i].angular_velocities, written.objects[i].angular_velocities);
+    EXPECT_LT(pose_difference(read.objects[i], written.objects[i]), 1e-7);
+  }
+}
+
+const char kScene[] = R"({
+  "metadata": {"num_frames": 2, "frame_rate": 240, "gravity": [0, 0, -10]},
+  "instances": [{"asset_id": "cube", "positions": [[1, 2, 3], [1, 2, 3]],
+                 "quaternions": [[0.6, 0.8, 0, 0], [1, 0, 0, 0]]}]})";
+
+TEST(Kubric, QuaternionsAreStoredWithTheScalarFirstAndOptionalKeysMayBeAbsent) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "7" / "metadata.json", kScene);
+  const SceneRecording scene = read_kubric_scene(folder.path() / "7");
+  ASSERT_EQ(scene.objects.size(), 1u);
+  const RecordedObject& object = scene.objects[0];
+  EXPECT_NEAR(object.T_world_object[0].rotation.w(), 0.6, 1e-12);
+  EXPECT_NEAR(object.T_world_object[0].rotation.x(), 0.8, 1e-12);
+  EXPECT_EQ(object.T_world_object[0].translation, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(object.size, 1.0);
+  EXPECT_FALSE(object.properties.mass_kg.has_value());
+  EXPECT_TRUE(object.velocities.empty());
+}
+
+struct Defect {
+  const char* pointer;      ///< JSON pointer of what is replaced
+  const char* replacement;  ///< JSON text; nothing = removed
+  const char* expected;     ///< Part of the error
+};
+
+class BrokenKubric : public ::testing::TestWithParam<Defect> {};
+
+TEST_P(BrokenKubric, ErrorNamesFileAndKey) {
+  const TemporaryFolder folder;
+  nlohmann::json scene = nlohmann::json::parse(kScene);
+  const nlohmann::json::json_pointer pointer(GetParam().pointer);
+  if (GetParam().replacement == nullptr) {
+    scene.at(pointer.parent_pointer()).erase(pointer.back());
+  } else {
+    scene[pointer] = nlohmann::json::parse(GetParam().replacement);
+  }
+  write_text(folder.path() / "metadata.json", scene.dump());
+  const std::string error = error_of([&] { read_kubric_scene(folder.path()); });
+  EXPECT_NE(error.find("metadata.json"), std::string::npos) << error;
+  EXPECT_NE(error.find(GetParam().expected), std::string::npos) << error;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Defects, BrokenKubric,
+    ::testing::Values(Defect{"/metadata", nullptr, "metadata is missing"},
+                      Defect{"/metadata/num_frames", "3", "instances[0].positions has 2 entries"},
+                      Defect{"/metadata/num_frames", "-1", "metadata.num_frames"},
+                      Defect{"/metadata/frame_rate", "\"fast\"", "metadata.frame_rate is not a number"},
+                      Defect{"/metadata/gravity", "[0, -10]", "metadata.gravity"},
+                      Defect{"/instances", "{}", "instances is not a list"},
+                      Defect{"/instances/0/asset_id", nullptr, "instances[0].asset_id is missing"},
+                      Defect{"/instances/0/mass", "-1", "instances[0].mass"},
+                      Defect{"/instances/0/size", "0", "instances[0].size"},
+                      Defect{"/instances/0/positions/1", "[1, null, 3]", "instances[0].positions[1][1]"},
+                      Defect{"/instances/0/quaternions/1", "[2, 0, 0, 0]", "instances[0].quaternions[1]"},
+                      Defect{"/instances/0/velocities", "[[0, 0, 0]]", "instances[0].velocities"}));
+
+TEST(Kubric, MissingAndTruncatedFilesAreErrors) {
+  const TemporaryFolder folder;
+  EXPECT_NE(error_of([&] { read_kubric_scene(folder.path() / "none"); }).find("cannot read"), std::string::npos);
+  write_text(folder.path() / "metadata.json", std::string(kScene).substr(0, 90));
+  EXPECT_NE(error_of([&] { read_kubric_scene(folder.path()); }).find("not valid JSON"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rigidformer

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/data/scene_archive.hpp"
+
+#include <gtest/gtest.h>
+
+#include "example_archive.hpp"
+#include "rigidformer/io/tensor_file.hpp"
+
+namespace rigidformer {
+namespace {
+
+TEST(SceneArchive, RoundTripKeepsEverythingStored) {
+  const TemporaryFolder folder;
+  const SceneArchive written = example_archive();
+  write_scene_archive(folder.path() / "a.safetensors", written);
+  const SceneArchive read = read_scene_archive(folder.path() / "a.safetensors");
+
+  EXPECT_EQ(read.set, "example");
+  ASSERT_EQ(read.shapes.size(), 1u);
+  EXPECT_EQ(read.shapes[0].name, "tetrahedron");
+  EXPECT_EQ(read.shapes[0].mass_kg, 0.5);
+  ASSERT_EQ(read.shapes[0].parts.size(), 1u);
+  EXPECT_EQ(read.shapes[0].parts[0].vertices, written.shapes[0].parts[0].vertices);
+  EXPECT_EQ(read.shapes[0].parts[0].triangles, written.shapes[0].parts[0].triangles);
+  ASSERT_EQ(read.scenes.size(), 2u);
+  for (std::size_t s = 0; s < 2; ++s) {
+    EXPECT_EQ(read.scenes[s].name, written.scenes[s].name);
+    EXPECT_EQ(read.scenes[s].seed, written.scenes[s].seed);
+    EXPECT_EQ(read.scenes[s].num_frames, 5);
+    EXPECT_EQ(read.scenes[s].frame_rate_hz, 120.0);
+    EXPECT_EQ(read.scenes[s].gravity, written.scenes[s].gravity);
+    ASSERT_EQ(read.scenes[s].objects.size(), s + 1);
+    for (std::size_t i = 0; i <= s; ++i) {
+      const RecordedObject& a = written.scenes[s].objects[i];
+      const RecordedObject& b = read.scenes[s].objects[i];
+      EXPECT_EQ(b.shape, a.shape);
+      EXPECT_EQ(b.size, a.size);
+      EXPECT_EQ(b.properties.mass_kg, a.properties.mass_kg);
+      EXPECT_EQ(b.properties.friction, a.properties.friction);
+      EXPECT_FALSE(b.properties.restitution.has_value());
+      EXPECT_LT(pose_difference(a, b), 1e-6);
+    }
+  }
+}
+
+TEST(SceneArchive, RefusesToWriteAnUnknownShape) {
+  const TemporaryFolder folder;
+  SceneArchive archive = example_archive();
+  archive.scenes[1].objects[0].shape = "teapot";
+  const std::string error = error_of([&] { write_scene_archive(folder.path() / "a.safetensors", archive); });
+  EXPECT_NE(error.find("'teapot'"), std::string::npos) << error;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.safetensors"));
+}
+
+TEST(SceneArchive, RefusesScenesOfDifferentLength) {
+  const TemporaryFolder folder;
+  SceneArchive archive = example_archive();
+  archive.scenes[1].objects[0].T_world_object.pop_back();
+  EXPECT_NE(error_of([&] { write_scene_archive(folder.path() / "a.safetensors", archive); }), "");
+}
+
+/// Writes a good archive, lets `damage` change its tensors, and returns the error of reading it.
+template <typename Damage>
+std::string error_after(const Damage& damage) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "a.safetensors";
+  write_scene_archive(path, example_archive());
+  TensorFile file = read_tensor_file(path);
+  damage(file);
+  write_tensor_file(path, file);
+  return error_of([&] { read_scene_archive(path); });
+}
+
+void expect_mentions(const std::string& error, const std::string& word) {
+  EXPECT_NE(error.find("a.safetensors"), std::string::npos) << error;
+  EXPECT_NE(error.find(word), std::string::npos) << error;
+}
+
+TEST(SceneArchive, UntouchedFileReads) {
+  EXPECT_EQ(error_after([](TensorFile&) {}), "");
+}
+
+TEST(SceneArchive, NamesTheDefect) {
+  expect_mentions(error_after([](TensorFile& f) { f.metadata["format"] = "other"; }), "not a scene archive");
+  expect_mentions(error_after([](TensorFile& f) { f.metadata["format_version"] = "99"; }), "version 99");
+  expect_mentions(error_after([](TensorFile& f) { f.metadata["scenes"] = "[{"; }), "metadata");
+  expect_mentions(error_after([](TensorFile& f) { f.metadata["scenes"] = "[]"; }), "object_scene");
+  expect_mentions(error_after([](TensorFile& f) { f.tensors.erase("poses"); }), "'poses' is missing");
+  expect_mentions(error_after([](TensorFile& f) { f.tensors["object_size"].shape = {1, 3}; }), "object_size");
+  expect_mentions(error_after([](TensorFile& f) {
+                    f.tensors["object_shape"] = make_raw_tensor(TensorType::kInt32, {3}, std::vector<int>{0, 7, 0});
+                  }),
+                  "object_shape");
+  expect_mentions(error_after([](TensorFile& f) {
+                    f.tensors["triangles"] = make_raw_tensor(TensorType::kInt32, {4, 3}, std::vector<int>(12, 4));
+                  }),
+                  "triangle");
+  expect_mentions(
+      error_after([](TensorFile& f) {
+        f.tensors["poses"] = make_raw_tensor(TensorType::kFloat32, {3, 5, 7}, std::vector<float>(3 * 5 * 7, 2.0F));
+      }),
+      "pose");
+}
+
+TEST(SceneArchive, A1200SceneSetStaysBelow150Megabytes) {
+  const TemporaryFolder folder;
+  SceneArchive archive = example_archive(480);
+  const std::filesystem::path path = folder.path() / "a.safetensors";
+  write_scene_archive(path, archive);
+  const auto two_scenes = static_cast<double>(std::filesystem::file_size(path));
+  archive.scenes.insert(archive.scenes.end(), archive.scenes.begin(), archive.scenes.end());
+  write_scene_archive(path, archive);
+  const double bytes_per_object = (static_cast<double>(std::filesystem::file_size(path)) - two_scenes) / 3.0;
+  EXPECT_LT(bytes_per_object * 1200 * 6.5 / 1e6, 150.0);  // 6.5 objects per scene on average
+}
+
+}  // namespace
+}  // namespace rigidformer

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/evaluation/protocol.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "rigidformer/evaluation/ballistic.hpp"
+#include "rigidformer/evaluation/flying_cubes.hpp"
+
+namespace rigidformer {
+namespace {
+
+SceneArchive flying_set(int num_scenes, int num_frames) {
+  SceneArchive archive;
+  archive.set = "flying";
+  archive.shapes = {unit_cube()};
+  archive.scenes.assign(num_scenes, flying_cubes(2, num_frames));
+  return archive;
+}
+
+/// Is right at k = 0 and drifts along y by one metre per step.
+class DriftingForecaster : public Forecaster {
+ public:
+  std::string name() const override { return "drifting"; }
+
+  std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
+                                                    const RolloutOptions& rollout) override {
+    auto poses = BallisticForecaster().forecast(objects, rollout);
+    for (auto& object : poses) {
+      for (std::size_t k = 0; k < object.size(); ++k) {
+        object[k].translation.y() += static_cast<double>(k);
+      }
+    }
+    return poses;
+  }
+};
+
+TEST(Protocol, BallisticIsRightInFreeFlightFromEveryStart) {
+  BallisticForecaster ballistic;
+  ProtocolOptions options;
+  options.starts = {0, 30};
+  const auto scores = evaluate(flying_set(2, 140), {&ballistic}, options);
+  ASSERT_EQ(scores.size(), 2U * 3U * 3U);
+  for (const Score& score : scores) {
+    EXPECT_EQ(score.num_scenes, 2);
+    // Exact on steps; between two steps 10 / 240 s apart the chord of the parabola is off by g dt^2 / 8 = 2.2 mm.
+    const bool between_steps = score.horizon % score.step != 0;
+    EXPECT_NEAR(score.error.position_rmse_m, between_steps ? 10.0 / 8.0 * std::pow(10.0 / 240.0, 2) : 0.0, 1e-6);
+    EXPECT_LT(score.error.orientation_rmse_deg, 1e-4);
+  }
+}
+
+TEST(Protocol, CountsHorizonsFromTheFirstGivenFrame) {
+  DriftingForecaster drifting;
+  ProtocolOptions options;
+  options.starts = {20};
+  options.steps = {5, 10};
+  options.horizons = {50, 75};
+  const auto scores = evaluate(flying_set(1, 100), {&drifting}, options);
+  ASSERT_EQ(scores.size(), 4U);
+  // Frames S and S + s are given, so frame S + h lies (h - s) / s steps after the second.
+  EXPECT_NEAR(scores[0].error.position_rmse_m, 9.0, 1e-9);
+  EXPECT_NEAR(scores[1].error.position_rmse_m, 14.0, 1e-9);
+  EXPECT_NEAR(scores[2].error.position_rmse_m, 4.0, 1e-9);
+  EXPECT_NEAR(scores[3].error.position_rmse_m, 6.5, 1e-5);
+}
+
+TEST(Protocol, KeepsForecastersApartAndReportsProgress) {
+  BallisticForecaster ballistic;
+  DriftingForecaster drifting;
+  ProtocolOptions options;
+  options.starts = {0};
+  options.steps = {10};
+  options.horizons = {50};
+  options.max_scenes = 3;
+  long last_done = 0;
+  long last_total = 0;
+  const auto scores = evaluate(flying_set(5, 60), {&ballistic, &drifting}, options, [&](long done, long total) {
+    EXPECT_GT(done, last_done);
+    last_done = done;
+    last_total = total;
+  });
+  EXPECT_EQ(last_total, 3 * 2 * 4);
+  EXPECT_EQ(last_done, last_total);
+  ASSERT_EQ(scores.size(), 2U);
+  EXPECT_EQ(scores[0].model, "ballistic");
+  EXPECT_EQ(scores[1].model, "drifting");
+  EXPECT_EQ(scores[1].set, "flying");
+  EXPECT_EQ(scores[1].num_scenes, 3);
+  EXPECT_LT(scores[0].error.position_rmse_m, 1e-9);
+  EXPECT_NEAR(scores[1].error.position_rmse_m, 4.0, 1e-9);
+}
+
+TEST(Protocol, RefusesScenesThatAreTooShortAndBadOptions) {
+  BallisticForecaster ballistic;
+  ProtocolOptions options;
+  options.starts = {0};
+  EXPECT_THROW(evaluate(flying_set(1, 100), {&ballistic}, options), std::invalid_argument);
+  EXPECT_NO_THROW(evaluate(flying_set(1, 101), {&ballistic}, options));
+  EXPECT_THROW(evaluate(flying_set(0, 101), {&ballistic}, options), std::invalid_argument);
+  options.horizons = {5};
+  EXPECT_THROW(options.validate(), std::invalid_argument);  // shorter than step 10
+  options = {};
+  options.steps = {0};
+  EXPECT_THROW(options.validate(), std::invalid_argument);
+  options = {};
+  options.starts.clear();
+  EXPECT_THROW(options.validate(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rigidformer

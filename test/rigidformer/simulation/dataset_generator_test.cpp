@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/simulation/dataset_generator.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "rigidformer/data/scene_loader.hpp"
+
+namespace rigidformer {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DatasetGenerator : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  DatasetOptions options() const {
+    DatasetOptions options;
+    options.set = "movi_sphere";
+    options.num_scenes = 2;
+    options.seed = 9;
+    options.output = folder_ / "set";
+    return options;
+  }
+
+  static std::string bytes(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::stringstream content;
+    content << in.rdbuf();
+    return content.str();
+  }
+
+  std::ostringstream log_;
+  const fs::path folder_ = fs::temp_directory_path() / ("rigidformer_generator_" + std::to_string(::getpid()));
+};
+
+TEST_F(DatasetGenerator, ArchiveIsTheSameForAnyNumberOfThreadsAndIsKeptOnARepeat) {
+  DatasetOptions one = options();
+  generate_dataset(one, log_);
+  const fs::path shard = one.output / "scenes_000000.safetensors";
+  const std::string first = bytes(shard);
+  const auto time = fs::last_write_time(shard);
+  generate_dataset(one, log_);
+  EXPECT_EQ(fs::last_write_time(shard), time);
+
+  DatasetOptions two = one;
+  two.output = folder_ / "threads";
+  two.jobs = 2;
+  generate_dataset(two, log_);
+  EXPECT_EQ(bytes(two.output / "scenes_000000.safetensors"), first);
+  EXPECT_NE(log_.str().find("2/2 scenes"), std::string::npos) << log_.str();
+
+  std::ofstream(shard, std::ios::binary) << first.substr(0, first.size() / 2);
+  generate_dataset(one, log_);
+  EXPECT_EQ(bytes(shard), first) << "a truncated shard must be made again";
+}
+
+TEST_F(DatasetGenerator, KubricFoldersHoldTheSameScenesAndResume) {
+  DatasetOptions archive = options();
+  generate_dataset(archive, log_);
+  DatasetOptions kubric = options();
+  kubric.output = folder_ / "kubric";
+  kubric.format = "kubric";
+  generate_dataset(kubric, log_);
+  const std::string second = bytes(kubric.output / "1" / "metadata.json");
+  fs::remove_all(kubric.output / "1");
+  generate_dataset(kubric, log_);
+  EXPECT_EQ(bytes(kubric.output / "1" / "metadata.json"), second);
+
+  const SceneArchive a = load_scenes(archive.output, std::vector<Shape>{});
+  const SceneArchive b = load_scenes(kubric.output, std::vector<Shape>{});
+  EXPECT_EQ(b.set, "movi_sphere");
+  ASSERT_EQ(a.scenes.size(), b.scenes.size());
+  for (std::size_t s = 0; s < a.scenes.size(); ++s) {
+    ASSERT_EQ(a.scenes[s].objects.size(), b.scenes[s].objects.size());
+    const RigidTransform& x = a.scenes[s].objects[0].T_world_object.back();
+    const RigidTransform& y = b.scenes[s].objects[0].T_world_object.back();
+    EXPECT_LT((x.translation - y.translation).norm(), 1e-5);
+    EXPECT_LT(rotation_angle(x.rotation, y.rotation), 1e-3);
+  }
+}
+
+TEST_F(DatasetGenerator, RefusesToMixData) {
+  generate_dataset(options(), log_);
+  DatasetOptions other_seed = options();
+  other_seed.seed = 10;
+  DatasetOptions other_set = options();
+  other_set.set = "movi_a";
+  DatasetOptions other_format = options();
+  other_format.format = "kubric";
+  for (const DatasetOptions& other : {other_seed, other_set, other_format}) {
+    EXPECT_THROW(generate_dataset(other, log_), std::runtime_error);
+  }
+  DatasetOptions foreign = options();
+  foreign.output = folder_;
+  EXPECT_THROW(generate_dataset(foreign, log_), std::runtime_error);
+}
+
+TEST_F(DatasetGenerator, BadOptionsAreRefusedBeforeAnythingIsWritten) {
+  DatasetOptions bad = options();
+  bad.num_scenes = 0;
+  EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
+  bad = options();
+  bad.format = "zip";
+  EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
+  EXPECT_FALSE(fs::exists(folder_));
+}
+
+}  // namespace
+}  // namespace rigidformer

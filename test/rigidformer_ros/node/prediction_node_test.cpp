@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <rigidformer_ros/GetModelInfo.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <limits>
+
+#include "rigidformer_ros/node/node_client.hpp"
+
+namespace rigidformer_ros::testing {
+namespace {
+
+using Response = Rollout::Response;
+
+Flight high_flight(double x = 0.0) {
+  Flight flight;
+  flight.start = {x, 0.0, 8.0};
+  flight.velocity = {0.5, -0.2, 4.0};
+  return flight;
+}
+
+class PredictionNodeTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(client.wait_until(
+        [] {
+          GetModelInfo info;
+          return ros::service::call("get_model_info", info) && info.response.ready;
+        },
+        120.0));
+    client.reset();
+  }
+
+  // Publishes the flights at 30 Hz. The node keeps the last state for `max_state_age`.
+  void stream(const std::map<std::string, Flight>& flights, int frames = 18) {
+    for (const auto& [id, flight] : flights) {
+      client.object(id);
+    }
+    flight_start = ros::Time::now();
+    for (int i = 0; i < frames; ++i) {
+      const ros::Time stamp = ros::Time::now();
+      for (const auto& [id, flight] : flights) {
+        client.object(id).publish(stamped_cloud(flight.pose((stamp - flight_start).toSec()).apply(blob()), stamp));
+      }
+      last_stamp = stamp;
+      client.wait_until([] { return false; }, 1.0 / 30.0);
+    }
+  }
+
+  // The default request, with patience for slow machines.
+  static Rollout::Request request() {
+    Rollout::Request r;
+    r.max_state_age = ros::Duration(30.0);
+    return r;
+  }
+
+  static double tolerance() { return ros::param::param("~position_tolerance", 0.003); }
+
+  static NodeClient& shared_client() {
+    static NodeClient instance;
+    return instance;
+  }
+
+  NodeClient& client = shared_client();
+  ros::Time flight_start;
+  ros::Time last_stamp;
+};
+
+TEST_F(PredictionNodeTest, ForecastMatchesTheParabolaAtTheStatedTimes) {
+  stream({{"a", high_flight()}, {"b", high_flight(3.0)}});
+  ASSERT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
+  const SceneForecast& forecast = client.last_forecast;
+  EXPECT_EQ(forecast.header.frame_id, "world");
+  ASSERT_EQ(forecast.times.size(), 25U);
+  EXPECT_EQ(forecast.times[0], 0.0);
+  EXPECT_NEAR(forecast.times[24], 1.0, 1e-9);
+  ASSERT_EQ(forecast.objects.size(), 2U);
+  for (const ObjectForecast& object : forecast.objects) {
+    EXPECT_EQ(object.status, ObjectForecast::OK);
+    EXPECT_LT(largest_error(forecast, object.id, high_flight(object.id == "a" ? 0.0 : 3.0), flight_start), tolerance());
+  }
+}
+
+TEST_F(PredictionNodeTest, ServiceEqualsTopicForTheSameState) {
+  stream({{"a", high_flight()}, {"b", high_flight(3.0)}});
+  ASSERT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
+  const Response response = client.call(request());
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.error_code, Response::SUCCESS);
+  EXPECT_EQ(response.steps_done, 24U);
+  EXPECT_EQ(response.forecast.header.stamp, client.last_forecast.header.stamp);
+  EXPECT_EQ(response.forecast.times, client.last_forecast.times);
+  EXPECT_EQ(response.forecast.objects, client.last_forecast.objects);
+  EXPECT_EQ(client.call(request()).forecast.objects, response.forecast.objects) << "a query changes nothing";
+}
+
+TEST_F(PredictionNodeTest, TimeStepAndRecordingChangeTheSpacing) {
+  stream({{"a", high_flight()}});
+  Rollout::Request r = request();
+  r.time_step = 0.01;
+  r.num_steps = 70;
+  r.record_every = 7;
+  r.return_points = true;
+  const Response response = client.call(r);
+  ASSERT_TRUE(response.success) << response.message;
+  ASSERT_EQ(response.forecast.times.size(), 11U);
+  EXPECT_NEAR(response.forecast.times[1], 0.07, 1e-12);
+  EXPECT_EQ(response.forecast.time_step, 0.01);
+  EXPECT_LT(largest_error(response.forecast, "a", high_flight(), flight_start), 3.0 * tolerance());
+  EXPECT_EQ(response.points.width, 11U * 30U);
+  EXPECT_EQ(response.points.header, response.forecast.header);
+}
+
+TEST_F(PredictionNodeTest, ReportsOnlyTheRequestedObjects) {
+  stream({{"a", high_flight()}, {"b", high_flight(3.0)}});
+  Rollout::Request r = request();
+  r.object_ids = {"b"};
+  const Response response = client.call(r);
+  ASSERT_TRUE(response.success) << response.message;
+  ASSERT_EQ(response.forecast.objects.size(), 1U);
+  EXPECT_EQ(response.forecast.objects[0].id, "b");
+}
+
+ObjectClouds scene_at(double t, const Flight& flight) {
+  ObjectClouds scene;
+  scene.header.stamp = ros::Time(50.0 + t);
+  scene.ids = {"planned"};
+  scene.clouds = {to_cloud(flight.pose(t).apply(blob()))};
+  return scene;
+}
+
+TEST_F(PredictionNodeTest, StatelessQueryUsesTheGivenCloudsOnly) {
+  stream({{"a", high_flight()}});
+  Flight flight = high_flight();
+  flight.gravity = 0.0;  // up to the observation
+  Rollout::Request r;
+  r.scene = scene_at(0.04, flight);
+  r.previous_scene = scene_at(0.0, flight);
+  r.time_step = 0.04;
+  r.num_steps = 20;
+  Response response = client.call(r);
+  ASSERT_TRUE(response.success) << response.message;
+  ASSERT_EQ(response.forecast.objects.size(), 1U);
+  EXPECT_EQ(response.forecast.header.stamp, ros::Time(50.04));
+  EXPECT_EQ(response.forecast.objects[0].status, ObjectForecast::OK);
+  EXPECT_NEAR(response.forecast.objects[0].twists[0].linear.z, 4.0, 0.05);
+  r.previous_scene = ObjectClouds();
+  response = client.call(r);
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.forecast.objects[0].status, ObjectForecast::ASSUMED_STATIC);
+  EXPECT_EQ(client.call(request()).forecast.objects.at(0).id, "a") << "the live state is untouched";
+}
+
+struct BadRequest {
+  const char* name;
+  std::int32_t code;
+  const char* part;
+  std::function<void(Rollout::Request&)> change;
+};
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+const BadRequest kBadRequests[] = {
+    {"huge steps", Response::LIMIT_EXCEEDED, "num_steps", [](auto& r) { r.num_steps = 4000000000U; }},
+    {"NaN step", Response::INVALID_REQUEST, "time_step", [](auto& r) { r.time_step = kNan; }},
+    {"negative step", Response::INVALID_REQUEST, "time_step", [](auto& r) { r.time_step = -0.01; }},
+    {"long step", Response::INVALID_REQUEST, "trained for", [](auto& r) { r.time_step = 0.5; }},
+    {"short step", Response::INVALID_REQUEST, "time_step", [](auto& r) { r.time_step = 1e-4; }},
+    {"unknown id", Response::UNKNOWN_OBJECT, "object_ids[1]",
+     [](auto& r) {
+       r.object_ids = {"a", "ghost"};
+     }},
+    {"double id", Response::INVALID_REQUEST, "object_ids[1]",
+     [](auto& r) {
+       r.object_ids = {"a", "a"};
+     }},
+    {"old state", Response::STALE_STATE, "max_state_age", [](auto& r) { r.max_state_age = ros::Duration(1e-4); }},
+    {"negative age", Response::INVALID_REQUEST, "max_state_age",
+     [](auto& r) { r.max_state_age = ros::Duration(-1.0); }},
+    {"negative wall time", Response::INVALID_REQUEST, "max_wall_time",
+     [](auto& r) { r.max_wall_time = ros::Duration(-1.0); }},
+    {"no wall time", Response::TIMED_OUT, "max_wall_time",
+     [](auto& r) { r.num_steps = 500, r.max_wall_time = ros::Duration(1e-9); }},
+    {"sparse record", Response::INVALID_REQUEST, "record_every", [](auto& r) { r.record_every = 4000; }},
+    {"candidate", Response::INVALID_REQUEST, "candidate.impulses", [](auto& r) { r.candidate.impulses.resize(1); }},
+    {"lone previous", Response::INVALID_REQUEST, "previous_scene",
+     [](auto& r) { r.previous_scene = scene_at(0.0, high_flight()); }},
+    {"missing cloud", Response::INVALID_REQUEST, "scene.clouds",
+     [](auto& r) { r.scene = scene_at(0.0, high_flight()), r.scene.clouds.clear(); }},
+    {"surplus mode", Response::INVALID_REQUEST, "scene.modes",
+     [](auto& r) {
+       r.scene = scene_at(0.0, high_flight()), r.scene.modes = {0, 0};
+     }},
+    {"wrong mode", Response::INVALID_REQUEST, "must be DYNAMIC",
+     [](auto& r) { r.scene = scene_at(0.0, high_flight()), r.scene.modes = {7}; }},
+    {"empty id", Response::INVALID_REQUEST, "scene.ids[0]",
+     [](auto& r) { r.scene = scene_at(0.0, high_flight()), r.scene.ids[0] = ""; }},
+    {"broken cloud", Response::INVALID_REQUEST, "row_step",
+     [](auto& r) { r.scene = scene_at(0.0, high_flight()), r.scene.clouds[0].row_step = 1; }},
+    {"tiny cloud", Response::INVALID_REQUEST, "finite points",
+     [](auto& r) { r.scene = scene_at(0.0, high_flight()), r.scene.clouds[0] = to_cloud(blob(2)); }},
+    {"bad quaternion", Response::INVALID_REQUEST, "orientation",
+     [](auto& r) { r.scene = scene_at(0.0, high_flight()), r.scene.poses.resize(1); }},
+    {"unknown frame", Response::FRAME_TRANSFORM_FAILURE, "nowhere",
+     [](auto& r) { r.scene = scene_at(0.0, high_flight()), r.scene.header.frame_id = "nowhere"; }},
+    {"other objects", Response::INVALID_REQUEST, "previous_scene.ids",
+     [](auto& r) {
+       r.scene = scene_at(0.04, high_flight());
+       r.previous_scene = scene_at(0.0, high_flight());
+       r.previous_scene.ids[0] = "other";
+     }},
+    {"other points", Response::INVALID_REQUEST, "other points",
+     [](auto& r) {
+       r.scene = scene_at(0.04, high_flight());
+       r.previous_scene = scene_at(0.0, high_flight());
+       r.previous_scene.clouds[0] = to_cloud(blob(12));
+     }},
+    {"reversed scenes", Response::INVALID_REQUEST, "previous_scene.header.stamp",
+     [](auto& r) {
+       r.scene = scene_at(0.0, high_flight());
+       r.previous_scene = scene_at(0.04, high_flight());
+     }},
+    {"close scenes", Response::INSUFFICIENT_HISTORY, "previous_scene.header.stamp",
+     [](auto& r) {
+       r.scene = scene_at(0.01, high_flight());
+       r.previous_scene = scene_at(0.0, high_flight());
+     }},
+};
+
+TEST_F(PredictionNodeTest, BadRequestsGetTheirCodeAndASentenceNamingTheField) {
+  stream({{"a", high_flight()}});
+  for (const BadRequest& bad : kBadRequests) {
+    Rollout::Request r = request();
+    bad.change(r);
+    const Response response = client.call(r);
+    EXPECT_FALSE(response.success) << bad.name;
+    EXPECT_EQ(response.error_code, bad.code) << bad.name << ": " << response.message;
+    EXPECT_NE(response.message.find(bad.part), std::string::npos) << bad.name << ": " << response.message;
+  }
+  EXPECT_TRUE(client.call(request()).success) << "and the next good one is answered";
+}
+
+TEST_F(PredictionNodeTest, AFreshOrResetNodeKnowsNoObjects) {
+  EXPECT_EQ(client.call(request()).error_code, Response::NO_OBJECTS);
+  stream({{"a", high_flight()}});
+  ASSERT_TRUE(client.call(request()).success);
+  client.reset();
+  EXPECT_EQ(client.call(request()).error_code, Response::NO_OBJECTS);
+  stream({{"a", high_flight()}}, 1);
+  EXPECT_TRUE(client.wait_until([&] { return client.call(request()).error_code == Response::INSUFFICIENT_HISTORY; }));
+  ASSERT_TRUE(client.wait_until([&] { return client.num_forecasts > 0; }));
+  EXPECT_EQ(client.last_forecast.objects.at(0).status, ObjectForecast::ASSUMED_STATIC);
+}
+
+TEST_F(PredictionNodeTest, SurvivesEmptyAndMalformedClouds) {
+  ros::Publisher& bad = client.object("bad");
+  const ros::Time now = ros::Time::now();
+  sensor_msgs::PointCloud2 cloud = stamped_cloud(blob(), now);
+  bad.publish(stamped_cloud(Points(0, 3), now));
+  bad.publish(sensor_msgs::PointCloud2());
+  bad.publish(stamped_cloud(Points::Constant(30, 3, std::numeric_limits<float>::quiet_NaN()), now));
+  bad.publish(stamped_cloud(Points::Constant(30, 3, std::numeric_limits<float>::infinity()), now));
+  bad.publish(stamped_cloud(blob(), now + ros::Duration(60.0)));
+  bad.publish(stamped_cloud(blob(), now, ""));
+  cloud.data.resize(17);
+  bad.publish(cloud);
+  cloud.width = cloud.height = 0xffffffff;
+  bad.publish(cloud);
+  stream({{"a", high_flight()}});
+  const Response response = client.call(request());
+  ASSERT_TRUE(response.success) << response.message;
+  ASSERT_EQ(response.forecast.objects.size(), 1U);
+  EXPECT_EQ(response.forecast.objects[0].id, "a");
+}
+
+TEST_F(PredictionNodeTest, WaitsForAMissingTransform) {
+  ros::Publisher& camera = client.object("camera_object");
+  const auto send = [&] { camera.publish(stamped_cloud(blob(), ros::Time::now(), "camera")); };
+  send();
+  EXPECT_FALSE(client.wait_until([&] { return client.call(request()).error_code != Response::NO_OBJECTS; }, 0.5));
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "world";
+  transform.header.stamp = ros::Time::now();
+  transform.child_frame_id = "camera";
+  transform.transform.translation.z = 5.0;
+  transform.transform.rotation.w = 1.0;
+  broadcaster.sendTransform(transform);
+  ASSERT_TRUE(client.wait_until([&] {
+    send();
+    return client.call(request()).success;
+  }));
+  EXPECT_NEAR(client.call(request()).forecast.objects.at(0).poses.at(0).position.z, 5.0 + blob().col(2).mean(), 1e-3);
+}
+
+TEST_F(PredictionNodeTest, MarkersAndPointTopicsFollowTheForecast) {
+  ros::NodeHandle node;
+  int added = 0;
+  int deleted = 0;
+  std::size_t cloud_points = 0;
+  std::size_t object_points = 0;
+  const auto markers = node.subscribe<visualization_msgs::MarkerArray>(
+      "markers", 10, [&](const visualization_msgs::MarkerArray::ConstPtr& m) {
+        for (const auto& marker : m->markers) {
+          ++(marker.action == visualization_msgs::Marker::DELETE ? deleted : added);
+        }
+      });
+  const auto cloud = node.subscribe<sensor_msgs::PointCloud2>(
+      "forecast_cloud", 10, [&](const sensor_msgs::PointCloud2::ConstPtr& m) { cloud_points = m->width; });
+  const auto points = node.subscribe<sensor_msgs::PointCloud2>(
+      "predicted/a/points", 10, [&](const sensor_msgs::PointCloud2::ConstPtr& m) { object_points = m->width; });
+  stream({{"a", high_flight()}}, 30);
+  EXPECT_TRUE(client.wait_until([&] { return added > 0 && cloud_points > 0 && object_points > 0; }));
+  EXPECT_EQ(cloud_points, 24U * 30U);
+  EXPECT_EQ(object_points, 30U);
+  EXPECT_TRUE(client.wait_until([&] { return deleted > 0; })) << "markers go when the object is gone";
+}
+
+}  // namespace
+}  // namespace rigidformer_ros::testing
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "prediction_node_test");
+  const ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}
