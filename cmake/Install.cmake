@@ -1,15 +1,14 @@
-# What is installed where: catkin's folders in a workspace, the usual bin/lib/include/share otherwise.
+# What is installed where: the usual bin/lib/include/share, or catkin's folders in a workspace.
+include(GNUInstallDirs)
+set(bin_dir ${CMAKE_INSTALL_BINDIR})
+set(lib_dir ${CMAKE_INSTALL_LIBDIR})
+set(include_dir ${CMAKE_INSTALL_INCLUDEDIR})
+set(share_dir ${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME})
 if(RIGIDFORMER_ROS)
   set(bin_dir ${CATKIN_PACKAGE_BIN_DESTINATION})
   set(lib_dir ${CATKIN_PACKAGE_LIB_DESTINATION})
   set(include_dir ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
   set(share_dir ${CATKIN_PACKAGE_SHARE_DESTINATION})
-else()
-  include(GNUInstallDirs)
-  set(bin_dir ${CMAKE_INSTALL_BINDIR})
-  set(lib_dir ${CMAKE_INSTALL_LIBDIR})
-  set(include_dir ${CMAKE_INSTALL_INCLUDEDIR})
-  set(share_dir ${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME})
 endif()
 
 set(programs ${RIGIDFORMER_APPS})
@@ -29,9 +28,10 @@ install(TARGETS ${programs} ${libraries}
   RUNTIME DESTINATION ${bin_dir}
   LIBRARY DESTINATION ${lib_dir}
   ARCHIVE DESTINATION ${lib_dir})
-install(DIRECTORY include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY config models DESTINATION ${share_dir})
 if(RIGIDFORMER_ROS)
-  install(DIRECTORY include/rigidformer_ros DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY include/ DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY launch DESTINATION ${share_dir})
+else()
+  install(DIRECTORY include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
 endif()

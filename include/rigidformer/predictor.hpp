@@ -18,6 +18,7 @@ struct PredictorOptions {
   std::string device = "auto";        ///< auto | cpu | cuda | cuda:N; auto = CUDA when usable, else CPU
   std::string precision = "float32";  ///< float32 | bfloat16
   int num_threads = 1;                ///< CPU threads for tensor operations
+  int max_points = 256;               ///< Points per object the network looks at; larger clouds are thinned evenly
   int warmup_runs = 2;                ///< Dummy predictions made by warm_up()
 };
 

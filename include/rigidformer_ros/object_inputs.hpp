@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 #include "rigidformer_ros/parameters.hpp"
@@ -37,6 +38,7 @@ class ObjectInputs {
   std::string pattern_;  ///< Resolved; empty = no discovery
   Handler handler_;
   std::map<std::string, ros::Subscriber> subscribers_;  ///< By resolved topic
+  std::set<std::string> ids_;                           ///< That have a topic; a listed object keeps its own
   ros::WallTimer discovery_timer_;
 };
 

@@ -37,6 +37,7 @@ ObjectInputs::ObjectInputs(ros::NodeHandle& node, const InputParameters& input, 
 }
 
 void ObjectInputs::subscribe(const ListedObject& source) {
+  ids_.insert(source.id);
   ListedObject resolved = source;
   resolved.topic = node_.resolveName(source.topic);
   const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> callback =
@@ -53,7 +54,8 @@ void ObjectInputs::discover() {
   }
   for (const ros::master::TopicInfo& topic : topics) {
     const auto id = match_topic(pattern_, topic.name);
-    if (id && topic.datatype == "sensor_msgs/PointCloud2" && subscribers_.count(topic.name) == 0) {
+    if (id && topic.datatype == "sensor_msgs/PointCloud2" && ids_.count(*id) == 0 &&
+        subscribers_.count(topic.name) == 0) {
       subscribe({*id, topic.name, rigidformer::MotionMode::kDynamic, {}});
     }
   }

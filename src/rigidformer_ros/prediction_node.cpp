@@ -38,7 +38,6 @@ PredictionNode::~PredictionNode() {
   service_lane_.spinner.stop();
   forecast_lane_.spinner.stop();
   input_lane_.spinner.stop();
-  publisher_.clear();
 }
 
 // An exception that leaves a subscriber or timer callback would end the node.

@@ -37,6 +37,9 @@ struct SceneTensors {
   int64_t num_frames() const { return poses.size(1); }
   int64_t max_objects() const { return poses.size(2); }
 
+  /// Number of objects of every scene.
+  std::vector<int64_t> object_counts() const;
+
   SceneTensors to(const torch::Device& device) const;
 };
 

@@ -21,6 +21,7 @@ struct AugmentationOptions {
   double yaw_probability = 0.5;          ///< Windows turned about the vertical axis ...
   double yaw_step_deg = 5.0;             ///< ... by a multiple of this angle; 0 = any angle
   bool yaw_per_batch = true;             ///< One angle for the whole batch (paper, App. E) or one per window
+  double shift_m = 0.0;                  ///< Windows are moved horizontally by up to this distance
   double permutation_probability = 0.5;  ///< Objects in random order (paper, App. E)
 };
 

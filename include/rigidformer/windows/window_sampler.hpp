@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -28,15 +29,22 @@ struct Window {
 class WindowSampler {
  public:
   /// Throws std::invalid_argument naming the option at fault, or when scenes are too short.
-  WindowSampler(const WindowOptions& options, ContactEvents events, int64_t num_scenes, int64_t num_frames);
+  WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<int64_t> object_counts,
+                int64_t num_frames);
 
   Window draw(int num_steps, std::mt19937_64& random) const;
+
+  /// The windows of one training iteration. Iterations come in groups whose windows are sorted by their number of
+  /// objects before they are dealt out, so that a batch carries little padding. The same seed and iteration give the
+  /// same windows.
+  std::vector<Window> draw_batch(int batch_size, int num_steps, std::uint64_t seed, std::int64_t iteration) const;
 
  private:
   int draw_step_size(int num_steps, std::mt19937_64& random) const;
 
   WindowOptions options_;
   ContactEvents events_;
+  std::vector<int64_t> object_counts_;  ///< Per scene
   int num_scenes_, num_frames_;
 };
 

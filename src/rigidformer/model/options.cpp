@@ -105,11 +105,11 @@ ModelOptions small_preset() {
   o.preset = "small";
   o.encoder_widths = {64, 128, 256};
   o.encoder_fuse_hidden = 384;
-  o.embedding_dim = 256;
-  o.num_heads = 2;
-  o.head_dim = 128;
-  o.rotary_dim = 96;
-  o.num_registers = 16;
+  o.embedding_dim = 192;
+  o.num_heads = 3;
+  o.head_dim = 64;
+  o.rotary_dim = 48;
+  o.num_registers = 4;
   o.film_hidden = 64;
   o.avp_hidden = 128;
   o.avp_dim = 128;
@@ -126,6 +126,9 @@ ModelOptions base_preset() {
   o.encoder_fuse_hidden = 1024;
   o.embedding_dim = 384;
   o.num_heads = 3;
+  o.head_dim = 128;
+  o.rotary_dim = 96;
+  o.num_registers = 16;
   o.film_hidden = 128;
   o.avp_hidden = 256;
   o.avp_dim = 256;

@@ -2,15 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/rigid_projection.hpp"
 
+#include <Eigen/SVD>
+
 namespace rigidformer {
 namespace {
 
 constexpr double kSmallestDenominator = 1e-6;  // relative to the largest singular value
 
+struct Svd {
+  Tensor U, S, V;
+};
+
+/// Many 3x3 matrices one by one: a library call per matrix costs more than the decomposition itself.
+template <typename Scalar>
+Svd svd_on_cpu(const Tensor& H) {
+  using RowMatrix = Eigen::Matrix<Scalar, 3, 3, Eigen::RowMajor>;
+  const Tensor dense = H.contiguous();
+  Svd svd{torch::empty_like(dense), torch::empty(dense.sizes().slice(0, dense.dim() - 1), dense.options()),
+          torch::empty_like(dense)};
+  for (int64_t i = 0; i < dense.numel() / 9; ++i) {
+    const RowMatrix matrix = Eigen::Map<const RowMatrix>(dense.data_ptr<Scalar>() + 9 * i);
+    const Eigen::JacobiSVD<Eigen::Matrix<Scalar, 3, 3>> solver(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Map<RowMatrix>(svd.U.data_ptr<Scalar>() + 9 * i) = solver.matrixU();
+    Eigen::Map<RowMatrix>(svd.V.data_ptr<Scalar>() + 9 * i) = solver.matrixV();
+    Eigen::Map<Eigen::Matrix<Scalar, 3, 1>>(svd.S.data_ptr<Scalar>() + 3 * i) = solver.singularValues();
+  }
+  return svd;
+}
+
+Svd decompose(const Tensor& H) {
+  if (H.is_cpu() && H.scalar_type() == torch::kFloat32) return svd_on_cpu<float>(H);
+  if (H.is_cpu() && H.scalar_type() == torch::kFloat64) return svd_on_cpu<double>(H);
+  auto [U, S, Vh] = torch::linalg_svd(H, true);
+  return {U, S, Vh.transpose(-1, -2)};
+}
+
 struct SpecialProcrustes : torch::autograd::Function<SpecialProcrustes> {
   static Tensor forward(torch::autograd::AutogradContext* context, const Tensor& H) {
-    auto [U, S, Vh] = torch::linalg_svd(H, true);
-    const Tensor V = Vh.transpose(-1, -2);
+    const auto [U, S, V] = decompose(H);
     const Tensor sign = torch::det(torch::matmul(V, U.transpose(-1, -2))).sign().unsqueeze(-1);
     const Tensor diagonal = torch::cat({torch::ones_like(S.slice(-1, 0, 2)), sign}, -1);
     const Tensor R = torch::matmul(V * diagonal.unsqueeze(-2), U.transpose(-1, -2));

@@ -102,6 +102,7 @@ void read_augmentation(Section section, AugmentationOptions& augmentation) {
   section.read("yaw_probability", augmentation.yaw_probability);
   section.read("yaw_step_deg", augmentation.yaw_step_deg);
   section.read("yaw_per_batch", augmentation.yaw_per_batch);
+  section.read("shift_m", augmentation.shift_m);
   section.read("permutation_probability", augmentation.permutation_probability);
   section.reject_unknown();
 }

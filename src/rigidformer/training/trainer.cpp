@@ -6,7 +6,6 @@
 #include <chrono>
 #include <iomanip>
 #include <iostream>
-#include <random>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,6 +14,7 @@
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/model/tensor_conversion.hpp"
+#include "rigidformer/model/threads.hpp"
 #include "rigidformer/training/losses.hpp"
 #include "rigidformer/training/optimizer.hpp"
 #include "rigidformer/training/run_log.hpp"
@@ -59,7 +59,8 @@ class Trainer {
 
 Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine)
     : options_(options), paths_(paths), machine_(machine), device_(select_device(machine.device)) {
-  torch::set_num_threads(machine.num_threads);
+  set_num_threads(machine.num_threads);
+  keep_freed_memory();
   std::filesystem::create_directories(paths.output);
   data_ = load_training_data(paths, options, device_);
   std::cerr << data_.summary << "device " << device_ << '\n';
@@ -95,12 +96,10 @@ int Trainer::unroll_steps() const {
 
 void Trainer::learn_once(LogEntry& entry) {
   // All randomness of an iteration follows from its number, so that a resumed run repeats the uninterrupted one.
-  const std::uint64_t seed = options_.seed * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(iteration_);
-  std::mt19937_64 random(seed);
-  torch::manual_seed(seed);
+  torch::manual_seed(options_.seed * 1000003 + static_cast<std::uint64_t>(iteration_));
   entry.unroll_steps = unroll_steps();
-  std::vector<Window> windows;
-  for (int i = 0; i < options_.batch_size; ++i) windows.push_back(data_.sampler->draw(entry.unroll_steps, random));
+  const std::vector<Window> windows =
+      data_.sampler->draw_batch(options_.batch_size, entry.unroll_steps, options_.seed, iteration_);
   const WindowBatch batch =
       make_window_batch(data_.training, windows, entry.unroll_steps, options_.model.num_anchors, options_.augmentation);
   optimizer_->zero_gradient();

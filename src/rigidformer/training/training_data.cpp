@@ -34,7 +34,7 @@ void measure_ranges(const SceneTensors& tensors, TrainingFacts& facts) {
 std::vector<Window> draw_windows(WindowOptions options, const ContactEvents& events, const SceneTensors& tensors) {
   options.step_sizes = {10};
   options.any_step_probability = 0.0;
-  const WindowSampler sampler(options, events, tensors.num_scenes(), tensors.num_frames());
+  const WindowSampler sampler(options, events, tensors.object_counts(), tensors.num_frames());
   std::mt19937_64 random(7);
   std::vector<Window> windows;
   for (int i = 0; i < kWindowsPerKind; ++i) windows.push_back(sampler.draw(1, random));
@@ -72,8 +72,8 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
       std::minmax_element(options.windows.step_sizes.begin(), options.windows.step_sizes.end());
   data.facts.min_step_frames = options.windows.any_step_probability > 0.0 ? 1 : *smallest;
   data.facts.max_step_frames = *largest;
-  data.sampler =
-      std::make_shared<WindowSampler>(options.windows, std::move(events), tensors.num_scenes(), tensors.num_frames());
+  data.sampler = std::make_shared<WindowSampler>(options.windows, std::move(events), tensors.object_counts(),
+                                                 tensors.num_frames());
   data.training = tensors.to(device);
 
   PointSetOptions validation_points = options.point_sets;

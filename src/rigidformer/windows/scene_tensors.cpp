@@ -76,6 +76,11 @@ void store_object(SceneTensors& tensors, int64_t s, int64_t k, const RecordedObj
 
 }  // namespace
 
+std::vector<int64_t> SceneTensors::object_counts() const {
+  const Tensor counts = object_mask.sum(-1).to(torch::kCPU);
+  return {counts.data_ptr<int64_t>(), counts.data_ptr<int64_t>() + counts.numel()};
+}
+
 SceneTensors SceneTensors::to(const torch::Device& device) const {
   return {poses.to(device),        object_mask.to(device),   shape.to(device),
           size.to(device),         properties.to(device),    gravity.to(device),

@@ -43,11 +43,21 @@ Tensor draw_yaw(int64_t B, const AugmentationOptions& options, const torch::Tens
   return torch::stack({c, -s, zero, s, c, zero, zero, zero, one}, -1).unflatten(-1, {3, 3}).expand({B, 3, 3});
 }
 
-/// Order of the objects per window [B, K]; identity unless drawn.
-Tensor draw_object_order(int64_t B, int64_t K, double probability, const torch::TensorOptions& like) {
-  const Tensor shuffled = std::get<1>(torch::rand({B, K}, like).sort(-1));
-  const Tensor straight = torch::arange(K, shuffled.options()).expand({B, K});
-  return torch::where(torch::rand({B, 1}, like) < probability, shuffled, straight);
+/// Horizontal shift per window [B, 1, 3].
+Tensor draw_shift(int64_t B, double reach, const torch::TensorOptions& like) {
+  const Tensor horizontal = reach * (2.0 * torch::rand({B, 1, 2}, like) - 1.0);
+  return torch::cat({horizontal, torch::zeros({B, 1, 1}, like)}, -1);
+}
+
+/// Which objects stand where, [B, K]: those that exist first, in recorded or (with `probability`) random order.
+/// K is the largest number of objects of any window, so that a batch of small scenes carries little padding.
+Tensor draw_object_order(const Tensor& object_mask, double probability, const torch::TensorOptions& like) {
+  const int64_t B = object_mask.size(0), K_all = object_mask.size(1);
+  const Tensor shuffled = torch::rand({B, K_all}, like);
+  const Tensor straight = torch::arange(K_all, like).expand({B, K_all}) / static_cast<double>(K_all);
+  const Tensor key = torch::where(torch::rand({B, 1}, like) < probability, shuffled, straight);
+  const Tensor order = std::get<1>((key + object_mask.logical_not().to(key.scalar_type())).sort(-1));
+  return order.slice(1, 0, object_mask.sum(-1).max().item<int64_t>());
 }
 
 struct PointCandidates {
@@ -135,7 +145,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   const auto device = tensors.poses.device();
   const auto like = tensors.poses.options();
   const auto B = static_cast<int64_t>(windows.size());
-  const int64_t F = tensors.num_frames(), K = tensors.max_objects(), T = num_steps + 2;
+  const int64_t F = tensors.num_frames(), T = num_steps + 2;
   std::vector<int64_t> scene_rows, frame_rows, steps;
   for (const Window& window : windows) {
     scene_rows.push_back(window.scene);
@@ -143,7 +153,9 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
     for (int64_t t = 0; t < T; ++t) frame_rows.push_back(window.scene * F + window.frame + t * window.step_size);
   }
   const Tensor scene_index = to_index(scene_rows, device);
-  const Tensor order = draw_object_order(B, K, options.permutation_probability, like);
+  const Tensor order =
+      draw_object_order(tensors.object_mask.index({scene_index}), options.permutation_probability, like);
+  const int64_t K = order.size(1);
   const auto per_object = [&](const Tensor& values) {  // [S, K, ...] -> [B, K, ...] in drawn order
     const Tensor rows = values.index({scene_index});
     return rows.dim() == 2 ? rows.gather(1, order) : rows.gather(1, order.unsqueeze(-1).expand({B, K, rows.size(2)}));
@@ -160,11 +172,12 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   scene.gravity = tensors.gravity.index({scene_index});
 
   const Tensor yaw = draw_yaw(B, options, like).unsqueeze(1);  // [B, 1, 3, 3]
+  const Tensor shift = draw_shift(B, options.shift_m, like);
   Tensor rows = tensors.poses.flatten(0, 1).index({to_index(frame_rows, device)}).unflatten(0, {B, T});
   rows = rows.gather(2, order.reshape({B, 1, K, 1}).expand({B, T, K, 7}));
   for (int64_t t = 0; t < T; ++t) {
     const Tensor row = rows.select(1, t);
-    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1);
+    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1) + shift;
     batch.poses.push_back({torch::matmul(yaw, rotation_matrix(row.slice(-1, 3))), translation});
   }
 

@@ -3,12 +3,15 @@
 #include "rigidformer/windows/window_sampler.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace rigidformer {
 namespace {
+
+constexpr std::int64_t kIterationsPerGroup = 8;
 
 int uniform_int(int low, int high, std::mt19937_64& random) {
   return std::uniform_int_distribution<int>(low, high)(random);
@@ -22,10 +25,12 @@ void check_probability(double value, const std::string& name) {
 
 }  // namespace
 
-WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events, int64_t num_scenes, int64_t num_frames)
+WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<int64_t> object_counts,
+                             int64_t num_frames)
     : options_(options),
       events_(std::move(events)),
-      num_scenes_(static_cast<int>(num_scenes)),
+      object_counts_(std::move(object_counts)),
+      num_scenes_(static_cast<int>(object_counts_.size())),
       num_frames_(static_cast<int>(num_frames)) {
   check_probability(options.any_step_probability, "any_step_probability");
   check_probability(options.mid_air_probability, "mid_air_probability");
@@ -64,6 +69,22 @@ Window WindowSampler::draw(int num_steps, std::mt19937_64& random) const {
   const ContactEvent& event = (*list)[static_cast<size_t>(uniform_int(0, static_cast<int>(list->size()) - 1, random))];
   const int lead = s + uniform_int(0, s * num_steps - 1, random);
   return {event.scene, std::clamp(event.frame - lead, 0, last_start), s};
+}
+
+std::vector<Window> WindowSampler::draw_batch(int batch_size, int num_steps, std::uint64_t seed,
+                                              std::int64_t iteration) const {
+  const std::int64_t group = iteration / kIterationsPerGroup;
+  std::mt19937_64 random(seed * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(group));
+  std::vector<Window> windows;
+  for (std::int64_t i = 0; i < batch_size * kIterationsPerGroup; ++i) windows.push_back(draw(num_steps, random));
+  std::stable_sort(windows.begin(), windows.end(), [this](const Window& a, const Window& b) {
+    return object_counts_[static_cast<size_t>(a.scene)] < object_counts_[static_cast<size_t>(b.scene)];
+  });
+  std::vector<int> deal(kIterationsPerGroup);
+  std::iota(deal.begin(), deal.end(), 0);
+  std::shuffle(deal.begin(), deal.end(), random);
+  const auto first = windows.begin() + deal[static_cast<size_t>(iteration % kIterationsPerGroup)] * batch_size;
+  return {first, first + batch_size};
 }
 
 }  // namespace rigidformer

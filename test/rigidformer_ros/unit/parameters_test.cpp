@@ -187,7 +187,7 @@ TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
       {"{input: {objects: {id: cup}}}", {"input/objects", "a list"}},
       {"{input: {objects: [{id: cup}]}}", {"input/objects[0]/topic", "missing"}},
       {"{input: {objects: [{id: a, topic: x}, {id: b, topic: x}]}}", {"input/objects[1]/topic", "listed twice"}},
-      {"{input: {objects: [{id: a, topic: x}, {id: a, topic: y}]}}", {"input/objects[1]/id", "listed twice"}},
+      {"{input: {objects: [{id: a, topic: x}, {id: a, topic: z}]}}", {"input/objects[1]/id", "listed twice"}},
       {"{input: {objects: [{id: a, topic: x, mode: fixed}]}}", {"input/objects[0]/mode", "dynamic | kinematic"}},
       {"{input: {object_topics: /objects/points}}", {"input/object_topics", "one '*'"}},
       {"{input: {queue_size: -1}}", {"input/queue_size", "[1, 1000]"}},

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rigidformer {
+
+/// Prints the usual table and, at the end, how many times faster each benchmark was than the alternative it names.
+class RatioReporter : public benchmark::ConsoleReporter {
+ public:
+  /// `fast` and `reference` are benchmark names.
+  static void compare(const std::string& fast, const std::string& reference);
+
+  void ReportRuns(const std::vector<Run>& runs) override;
+  void Finalize() override;
+
+ private:
+  std::map<std::string, double> seconds_;  ///< Shortest real time per iteration
+};
+
+}  // namespace rigidformer

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "rigidformer/model/batch.hpp"
+#include "rigidformer/predictor.hpp"
+#include "rigidformer/scene/object.hpp"
+
+namespace rigidformer {
+
+/// A scene in the form the network reads, B = 1. World coordinates are shifted so that the ground lies at z = 0 and the
+/// objects surround the origin: physics does not depend on where a scene stands, trained positions do.
+struct SceneInput {
+  SceneBatch batch;
+  SceneState state;
+  Eigen::Vector3d origin_world;  ///< Where the network's origin lies in world [m]
+  std::vector<Points> clouds;    ///< Points the network uses, farthest-point order, reference frame
+};
+
+/// Checks every object and option; throws std::invalid_argument naming the object and the field at fault.
+void validate_scene(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
+
+/// Points are reduced to the first `max_points` in farthest-point order and padded to a multiple of 64.
+/// Unknown material parameters are marked unknown when the model can read that, otherwise MOVi's mean values stand in.
+SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout, int num_anchors,
+                            int max_points, bool reads_property_mask);
+
+/// Pose of object `k` back in world coordinates.
+RigidTransform to_world(const SceneInput& input, const Pose& pose, int64_t k);
+
+}  // namespace rigidformer

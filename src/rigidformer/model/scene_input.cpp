@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/model/scene_input.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "rigidformer/geometry/farthest_point_sampling.hpp"
+
+namespace rigidformer {
+namespace {
+
+constexpr int64_t kPointBucket = 64;
+constexpr int kMinPoints = 4;
+constexpr double kMinSpread = 1e-4;  // [m] standard deviation across the second axis below which a cloud is a line
+// Means over the MOVi sets; for models that cannot read "unknown".
+constexpr double kMeanMass = 1.2, kMeanFriction = 0.6, kMeanRestitution = 0.5;
+
+[[noreturn]] void fail(const ObjectState& object, const std::string& defect) {
+  throw std::invalid_argument("object '" + object.id + "': " + defect);
+}
+
+void check_property(const ObjectState& object, const std::optional<double>& value, const char* name, double low,
+                    double high) {
+  if (value && !(*value >= low && *value <= high)) {
+    fail(object, std::string(name) + " is " + std::to_string(*value) + ", must lie in [" + std::to_string(low) + ", " +
+                     std::to_string(high) + "]");
+  }
+}
+
+/// Three anchors that are not on a line are needed to fix a rotation.
+bool is_line(const Points& points) {
+  const Eigen::MatrixX3d centred = points.cast<double>().rowwise() - points.cast<double>().colwise().mean();
+  const Eigen::Matrix3d covariance = centred.transpose() * centred / static_cast<double>(points.rows());
+  const Eigen::Vector3d variance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
+  return std::sqrt(std::max(0.0, variance[1])) < kMinSpread;
+}
+
+void validate_object(const ObjectState& object) {
+  if (object.points_reference.rows() < kMinPoints) {
+    fail(object, "has " + std::to_string(object.points_reference.rows()) + " points, at least " +
+                     std::to_string(kMinPoints) + " are needed");
+  }
+  if (!object.points_reference.allFinite()) fail(object, "points_reference holds values that are not finite");
+  if (is_line(object.points_reference)) fail(object, "points_reference lie on a line: the rotation is undefined");
+  if (!is_valid(object.T_world_previous)) fail(object, "T_world_previous is not a finite pose with a unit quaternion");
+  if (!is_valid(object.T_world_current)) fail(object, "T_world_current is not a finite pose with a unit quaternion");
+  check_property(object, object.properties.mass_kg, "mass_kg", 1e-6, 1e6);
+  check_property(object, object.properties.friction, "friction", 0.0, 1e3);
+  check_property(object, object.properties.restitution, "restitution", 0.0, 1.0);
+}
+
+void check_range(const char* field, double value, bool good, const char* bound) {
+  if (!good) {
+    throw std::invalid_argument(std::string(field) + " is " + std::to_string(value) + ", must be " + bound);
+  }
+}
+
+/// The points the network looks at, farthest-point order.
+Points select_points(const Points& cloud, int max_points) {
+  const std::vector<int> order = farthest_point_order(cloud, max_points);
+  Points selected(static_cast<Eigen::Index>(order.size()), 3);
+  for (size_t i = 0; i < order.size(); ++i) selected.row(static_cast<Eigen::Index>(i)) = cloud.row(order[i]);
+  return selected;
+}
+
+void store_pose(const RigidTransform& T, const Eigen::Vector3d& origin, Pose& pose, int64_t k) {
+  const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> R = T.rotation.normalized().toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = (T.translation - origin).cast<float>();
+  pose.rotation[0][k] = torch::tensor(std::vector<float>(R.data(), R.data() + 9)).reshape({3, 3});
+  pose.translation[0][k] = torch::tensor(std::vector<float>(t.data(), t.data() + 3));
+}
+
+void store_properties(const ObjectState& object, bool reads_mask, SceneBatch& batch, int64_t k) {
+  const std::optional<double> values[] = {object.properties.mass_kg, object.properties.friction,
+                                          object.properties.restitution};
+  const double means[] = {kMeanMass, kMeanFriction, kMeanRestitution};
+  for (int64_t i = 0; i < 3; ++i) {
+    const double stand_in = reads_mask ? 0.0 : means[i];
+    batch.properties[0][k][i] = values[i].value_or(stand_in);
+    batch.properties_known[0][k][i] = values[i].has_value() ? 1.0 : 0.0;
+  }
+}
+
+Pose identity_poses(int64_t K) {
+  return {torch::eye(3).reshape({1, 1, 3, 3}).repeat({1, K, 1, 1}), torch::zeros({1, K, 3})};
+}
+
+Eigen::Vector3d scene_origin(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (const ObjectState& object : objects) {
+    origin += object.T_world_current * object.points_reference.cast<double>().colwise().mean().transpose().eval();
+  }
+  origin /= static_cast<double>(std::max<size_t>(1, objects.size()));
+  if (rollout.ground_height_m) origin.z() = *rollout.ground_height_m;
+  return origin;
+}
+
+}  // namespace
+
+void validate_scene(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
+  std::set<std::string> ids;
+  for (const ObjectState& object : objects) {
+    validate_object(object);
+    if (!ids.insert(object.id).second) fail(object, "this id appears more than once");
+  }
+  check_range("num_steps", rollout.num_steps, rollout.num_steps >= 1, "at least 1");
+  check_range("time_step_s", rollout.time_step_s, std::isfinite(rollout.time_step_s) && rollout.time_step_s > 0.0,
+              "positive and finite");
+  check_range("gravity", rollout.gravity, std::isfinite(rollout.gravity), "finite");
+  const double ground = rollout.ground_height_m.value_or(0.0);
+  check_range("ground_height_m", ground, std::isfinite(ground), "finite");
+}
+
+SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout, int num_anchors,
+                            int max_points, bool reads_property_mask) {
+  const auto K = static_cast<int64_t>(objects.size());
+  SceneInput input;
+  int64_t longest = 1;
+  for (const ObjectState& object : objects) {
+    input.clouds.push_back(select_points(object.points_reference, max_points));
+    longest = std::max<int64_t>(longest, input.clouds.back().rows());
+  }
+  const int64_t N = (longest + kPointBucket - 1) / kPointBucket * kPointBucket;
+  input.origin_world = scene_origin(objects, rollout);
+  input.state = {identity_poses(K), identity_poses(K), identity_poses(K)};
+
+  SceneBatch& batch = input.batch;
+  batch.points_reference = torch::zeros({1, K, N, 3});
+  batch.point_mask = torch::zeros({1, K, N}, torch::kBool);
+  batch.object_mask = torch::ones({1, K}, torch::kBool);
+  batch.dynamic_mask = torch::ones({1, K}, torch::kBool);
+  batch.anchor_index = torch::zeros({1, K, num_anchors}, torch::kInt64);
+  batch.properties = torch::zeros({1, K, 3});
+  batch.properties_known = torch::zeros({1, K, 3});
+  batch.step_size = torch::full({1}, rollout.time_step_s * kFrameRateHz);
+  batch.ground_height = torch::full({1}, rollout.ground_height_m ? 0.0 : kNoGround);
+  batch.gravity = torch::full({1}, rollout.gravity);
+  for (int64_t k = 0; k < K; ++k) {
+    const ObjectState& object = objects[static_cast<size_t>(k)];
+    Points& cloud = input.clouds[static_cast<size_t>(k)];
+    const int64_t n = cloud.rows();
+    batch.points_reference[0][k].slice(0, 0, n).copy_(torch::from_blob(cloud.data(), {n, 3}));
+    batch.point_mask[0][k].slice(0, 0, n).fill_(true);
+    batch.dynamic_mask[0][k] = object.mode == MotionMode::kDynamic;
+    // The first points in farthest-point order are the anchors; tiny clouds repeat the last one.
+    for (int64_t a = 0; a < num_anchors; ++a) batch.anchor_index[0][k][a] = std::min(a, n - 1);
+    store_properties(object, reads_property_mask, batch, k);
+    const bool rests = object.mode == MotionMode::kStatic;
+    store_pose(rests ? object.T_world_current : object.T_world_previous, input.origin_world, input.state.previous, k);
+    store_pose(object.T_world_current, input.origin_world, input.state.current, k);
+  }
+  input.state.first = input.state.previous;
+  return input;
+}
+
+RigidTransform to_world(const SceneInput& input, const Pose& pose, int64_t k) {
+  const Tensor R = pose.rotation[0][k].to(torch::kCPU, torch::kFloat64).contiguous();
+  const Tensor t = pose.translation[0][k].to(torch::kCPU, torch::kFloat64).contiguous();
+  const Eigen::Matrix3d rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data_ptr<double>());
+  const Eigen::Vector3d translation = Eigen::Map<const Eigen::Vector3d>(t.data_ptr<double>());
+  return {Eigen::Quaterniond(rotation).normalized(), translation + input.origin_world};
+}
+
+}  // namespace rigidformer
