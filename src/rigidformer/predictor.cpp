@@ -27,9 +27,7 @@ NearestSearch tree_search(const SceneInput& input) {
   origin_at_zero->origin_world.setZero();
   return [=](const SceneBatch& batch, const Pose& current, const Tensor&) {
     const int64_t K = batch.max_objects(), N = batch.max_points();
-    std::vector<RigidTransform> poses;
-    for (int64_t k = 0; k < K; ++k) poses.push_back(to_world(*origin_at_zero, current, k));
-    trees->query(poses, *found);
+    trees->query(to_world(*origin_at_zero, current), *found);
     Nearest nearest{torch::zeros({1, K, N}, torch::kInt64), torch::zeros({1, K, N}, torch::kBool)};
     auto index = nearest.index.accessor<int64_t, 3>();
     auto valid = nearest.found.accessor<bool, 3>();
@@ -60,7 +58,7 @@ Pose to_device(const Pose& pose, const torch::Device& device) {
 
 bool is_finite(const RigidTransform& T) { return T.translation.allFinite() && T.rotation.coeffs().allFinite(); }
 
-/// A cube of points that falls: something to warm up with.
+/// Two clouds that fall: something to warm up with.
 std::vector<ObjectState> warm_up_scene() {
   std::vector<ObjectState> objects(2);
   for (size_t i = 0; i < objects.size(); ++i) {
@@ -70,6 +68,41 @@ std::vector<ObjectState> warm_up_scene() {
     objects[i].T_world_previous = objects[i].T_world_current;
   }
   return objects;
+}
+
+/// A forecast that holds the observation and all times, but no step yet.
+Forecast start_forecast(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
+  Forecast forecast;
+  for (int step = 0; step <= rollout.num_steps; ++step) forecast.times_s.push_back(step * rollout.time_step_s);
+  for (const ObjectState& object : objects) {
+    forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
+  }
+  return forecast;
+}
+
+/// A diverged object stays where it was last finite, so that the others can go on around it.
+void freeze(SceneBatch& batch, const SceneState& last, SceneState& next, int64_t k) {
+  batch.dynamic_mask[0][k] = false;
+  for (const Pose& pose : {next.current, next.previous}) {
+    Tensor rotation = pose.rotation[0][k], translation = pose.translation[0][k];
+    rotation.copy_(last.current.rotation[0][k]);
+    translation.copy_(last.current.translation[0][k]);
+  }
+}
+
+/// Appends the poses of one step to the forecast.
+void record(const SceneInput& input, const SceneState& last, SceneState& next, SceneBatch& batch, Forecast& forecast) {
+  const std::vector<RigidTransform> T_world = to_world(input, next.current);
+  for (size_t k = 0; k < T_world.size(); ++k) {
+    ObjectForecast& object = forecast.objects[k];
+    if (object.status == ObjectForecast::Status::kOk && is_finite(T_world[k])) {
+      object.poses.push_back(T_world[k]);
+    } else {
+      object.status = ObjectForecast::Status::kDiverged;
+      object.poses.push_back(object.poses.back());
+      freeze(batch, last, next, static_cast<int64_t>(k));
+    }
+  }
 }
 
 }  // namespace
@@ -162,42 +195,20 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
   const auto start = std::chrono::steady_clock::now();
   torch::NoGradGuard no_grad;
   impl_->check(objects, rollout);
-  Forecast forecast;
-  for (int step = 0; step <= rollout.num_steps; ++step) forecast.times_s.push_back(step * rollout.time_step_s);
-  for (const ObjectState& object : objects) {
-    forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
-  }
+  Forecast forecast = start_forecast(objects, rollout);
   if (objects.empty()) return forecast;
 
   RigidFormer& model = impl_->checkpoint.model;
   const torch::Device& device = impl_->device;
-  const SceneInput input = make_scene_input(objects, rollout, model->options.num_anchors, impl_->options.max_points,
-                                            model->options.property_mask);
+  const SceneInput input = make_scene_input(objects, rollout, model->options, impl_->options.max_points);
   const NearestSearch nearest = device.is_cpu() ? tree_search(input) : NearestSearch(nearest_by_distance_matrix);
   SceneBatch batch = to_device(input.batch, device);
   SceneState state{to_device(input.state.first, device), to_device(input.state.previous, device),
                    to_device(input.state.current, device)};
   const Tensor centre = model->centre_of_mass(batch, state.current);
   for (int step = 0; step < rollout.num_steps; ++step) {
-    const SceneState next = advance(batch, state, model->forward(batch, state, centre, nearest).pose);
-    for (size_t k = 0; k < objects.size(); ++k) {
-      ObjectForecast& object = forecast.objects[k];
-      const auto row = static_cast<int64_t>(k);
-      const RigidTransform T_world = to_world(input, next.current, row);
-      if (object.status == ObjectForecast::Status::kOk && is_finite(T_world)) {
-        object.poses.push_back(T_world);
-        continue;
-      }
-      // A diverged object stays where it was last finite, so that the others can go on around it.
-      object.status = ObjectForecast::Status::kDiverged;
-      object.poses.push_back(object.poses.back());
-      batch.dynamic_mask[0][row] = false;
-      for (const Pose& pose : {next.current, next.previous}) {
-        Tensor rotation = pose.rotation[0][row], translation = pose.translation[0][row];
-        rotation.copy_(state.current.rotation[0][row]);
-        translation.copy_(state.current.translation[0][row]);
-      }
-    }
+    SceneState next = advance(batch, state, model->forward(batch, state, centre, nearest).pose);
+    record(input, state, next, batch, forecast);
     state = next;
   }
   forecast.compute_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rigidformer/model/batch.hpp"
+#include "rigidformer/model/options.hpp"
 #include "rigidformer/predictor.hpp"
 #include "rigidformer/scene/object.hpp"
 
@@ -24,10 +25,10 @@ void validate_scene(const std::vector<ObjectState>& objects, const RolloutOption
 
 /// Points are reduced to the first `max_points` in farthest-point order and padded to a multiple of 64.
 /// Unknown material parameters are marked unknown when the model can read that, otherwise MOVi's mean values stand in.
-SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout, int num_anchors,
-                            int max_points, bool reads_property_mask);
+SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
+                            const ModelOptions& model, int max_points);
 
-/// Pose of object `k` back in world coordinates.
-RigidTransform to_world(const SceneInput& input, const Pose& pose, int64_t k);
+/// Poses of all objects back in world coordinates.
+std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose);
 
 }  // namespace rigidformer

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "rigidformer/model/anchors.hpp"
 #include "rigidformer/model/batch.hpp"
 #include "rigidformer/windows/scene_tensors.hpp"
 #include "rigidformer/windows/window_sampler.hpp"
@@ -34,12 +35,9 @@ struct WindowBatch {
 
 /// Assembles windows on the device of `tensors`. Random numbers come from torch's default generators.
 WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Window>& windows, int num_steps,
-                              int num_anchors, const AugmentationOptions& options);
+                              int num_anchors, const AugmentationOptions& options, bool random_anchors = false);
 
 /// The settings for scoring: surface samples, no augmentation.
 AugmentationOptions no_augmentation(int num_points);
-
-/// Farthest point sampling from the point farthest from the centroid: points [B, K, N, 3] -> indices [B, K, A].
-Tensor farthest_anchors(const Tensor& points, const Tensor& point_mask, int num_anchors);
 
 }  // namespace rigidformer

@@ -32,13 +32,10 @@ RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to,
           from.translation + fraction * (to.translation - from.translation)};
 }
 
-double rotation_angle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  return a.angularDistance(b);
-}
+double rotation_angle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.angularDistance(b); }
 
 bool is_valid(const RigidTransform& T) {
-  return T.translation.allFinite() && T.rotation.coeffs().allFinite() &&
-         std::abs(T.rotation.norm() - 1.0) < 1e-3;
+  return T.translation.allFinite() && T.rotation.coeffs().allFinite() && std::abs(T.rotation.norm() - 1.0) < 1e-3;
 }
 
 }  // namespace rigidformer

@@ -80,13 +80,13 @@ RawTensor read_tensor(const std::filesystem::path& path, const std::string& name
   return tensor;
 }
 
-/// SHA-256 of the header (hash left empty) followed by the data, so that an altered configuration is noticed too.
-std::string content_hash(Json header, const std::vector<std::uint8_t>& data) {
+/// SHA-256 started on the header (hash left empty), so that an altered configuration is noticed too; data follows.
+Sha256 start_hash(Json header) {
   header[kMetadataKey][kHashKey] = "";
   const std::string text = header.dump();
-  std::vector<std::uint8_t> content(text.begin(), text.end());
-  content.insert(content.end(), data.begin(), data.end());
-  return sha256_hex(content.data(), content.size());
+  Sha256 hash;
+  hash.update(text.data(), text.size());
+  return hash;
 }
 
 TensorFile parse(const std::filesystem::path& path, const Json& header, const std::vector<std::uint8_t>& data) {
@@ -100,7 +100,9 @@ TensorFile parse(const std::filesystem::path& path, const Json& header, const st
   }
   const std::string stored = stored_sha256(file);
   if (stored.empty()) fail(path, "no SHA-256 in the header: not written by rigidformer");
-  const std::string actual = content_hash(header, data);
+  Sha256 hash = start_hash(header);
+  hash.update(data.data(), data.size());
+  const std::string actual = hash.finish();
   if (stored != actual)
     fail(path, "SHA-256 mismatch (stored " + stored + ", found " + actual + "): damaged or altered");
   return file;
@@ -136,15 +138,15 @@ std::string stored_sha256(const TensorFile& file) {
 }
 
 void write_tensor_file(const std::filesystem::path& path, const TensorFile& file) {
-  std::vector<std::uint8_t> data;
+  Json json = make_header(file);
+  Sha256 hash = start_hash(json);
   for (const auto& [name, tensor] : file.tensors) {
     if (tensor.bytes.size() != static_cast<std::size_t>(tensor.num_elements()) * size_in_bytes(tensor.type)) {
       fail(path, "tensor '" + name + "' has a size that does not fit its shape");
     }
-    data.insert(data.end(), tensor.bytes.begin(), tensor.bytes.end());
+    hash.update(tensor.bytes.data(), tensor.bytes.size());
   }
-  Json json = make_header(file);
-  json[kMetadataKey][kHashKey] = content_hash(json, data);
+  json[kMetadataKey][kHashKey] = hash.finish();
   std::string header = json.dump();
   header.append((8 - header.size() % 8) % 8, ' ');  // the format asks for 8-byte alignment of the data
   const std::uint64_t header_size = header.size();
@@ -153,7 +155,9 @@ void write_tensor_file(const std::filesystem::path& path, const TensorFile& file
   std::ofstream out(temporary, std::ios::binary);
   out.write(reinterpret_cast<const char*>(&header_size), sizeof(header_size));
   out.write(header.data(), static_cast<std::streamsize>(header.size()));
-  out.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
+  for (const auto& [name, tensor] : file.tensors) {
+    out.write(reinterpret_cast<const char*>(tensor.bytes.data()), static_cast<std::streamsize>(tensor.bytes.size()));
+  }
   out.close();
   if (!out) {
     std::error_code ignored;

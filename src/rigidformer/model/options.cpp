@@ -137,6 +137,19 @@ ModelOptions base_preset() {
   return o;
 }
 
+/// Strict: neither 64.5 nor true passes for an integer.
+template <typename T>
+void read_option(const Json& json, const std::string& name, T& field) {
+  const Json& value = json.at(name);
+  bool fits = false;
+  try {
+    field = value.get<T>();
+    fits = Json(field) == value;
+  } catch (const nlohmann::json::exception&) {
+  }
+  if (!fits) throw std::invalid_argument("model option '" + name + "' has the wrong type: " + value.dump());
+}
+
 }  // namespace
 
 PositionEncoding position_encoding_from_string(const std::string& name) {
@@ -166,6 +179,8 @@ ModelOptions model_preset(const std::string& name) {
 void validate(const ModelOptions& o) {
   check(!o.encoder_widths.empty(), "encoder_widths.size", 0, "at least 1");
   for (const int width : o.encoder_widths) check(width > 0, "encoder_widths", width, "> 0");
+  check(o.encoder_level_hidden >= 0, "encoder_level_hidden", o.encoder_level_hidden, ">= 0");
+  check(o.encoder_fuse_hidden > 0, "encoder_fuse_hidden", o.encoder_fuse_hidden, "> 0");
   check(o.embedding_dim > 0, "embedding_dim", o.embedding_dim, "> 0");
   check(o.num_heads > 0, "num_heads", o.num_heads, "> 0");
   check(o.head_dim > 0 && o.head_dim % 2 == 0, "head_dim", o.head_dim, "positive and even");
@@ -183,6 +198,7 @@ void validate(const ModelOptions& o) {
   check(!o.scales.empty(), "scales.size", 0, "at least 1");
   for (const int scale : o.scales) check(scale >= 0 && scale <= o.num_layers, "scales", scale, "in [0, num_layers]");
   check(o.predictor_layers_per_scale > 0, "predictor_layers_per_scale", o.predictor_layers_per_scale, "> 0");
+  check(o.head_hidden > 0, "head_hidden", o.head_hidden, "> 0");
   check(o.contact_gate_margin_m >= 0.0, "contact_gate_margin_m", o.contact_gate_margin_m, ">= 0");
 }
 
@@ -200,9 +216,11 @@ ModelOptions model_options_from_json(const std::string& text) {
     std::set<std::string> known = {"position_encoding"};
     visit_fields(options, [&](const char* name, auto& field) {
       known.insert(name);
-      field = json.at(name).get<std::decay_t<decltype(field)>>();
+      read_option(json, name, field);
     });
-    options.position_encoding = position_encoding_from_string(json.at("position_encoding").get<std::string>());
+    std::string encoding;
+    read_option(json, "position_encoding", encoding);
+    options.position_encoding = position_encoding_from_string(encoding);
     for (const auto& [key, value] : json.items()) {
       if (known.count(key) == 0) throw std::invalid_argument("unknown model option '" + key + "'");
     }

@@ -20,12 +20,12 @@ Tensor masked_mean(const Tensor& points, const Tensor& mask) {
 }
 
 /// Principal axes as columns scaled by the standard deviation along them, [B, K, 9]; signs fixed so that the largest
-/// component is positive.
+/// component is positive. Constants for the gradient, which does not exist where two variances are equal.
 Tensor principal_axes(const Tensor& offsets, const Tensor& mask) {
   const Tensor weighted = offsets * mask.unsqueeze(-1).to(offsets.scalar_type());
   const Tensor count = mask.sum(-1).clamp_min(1).to(offsets.scalar_type()).unsqueeze(-1).unsqueeze(-1);
   const Tensor covariance = torch::matmul(weighted.transpose(-1, -2), weighted) / count;
-  auto [values, vectors] = torch::linalg_eigh(covariance);
+  auto [values, vectors] = torch::linalg_eigh(covariance.detach());
   const Tensor largest = vectors.abs().argmax(-2, true);
   const Tensor sign = torch::sign(vectors.gather(-2, largest));
   return (vectors * sign * values.clamp_min(0.0).sqrt().unsqueeze(-2)).flatten(-2);

@@ -11,11 +11,12 @@ namespace {
 constexpr double kStepUnit = 10.0;     // frames; keeps the FiLM code (s, s^2) near one
 constexpr double kPositionUnit = 5.0;  // [m] half the MOVi arena
 
-/// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim].
-Tensor film_code(const SceneBatch& batch) {
+/// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim]. A scene without a command has c = 0.
+Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
   const Tensor s = batch.step_size.unsqueeze(-1) / kStepUnit;
-  const Tensor code = torch::cat({s, s.square()}, -1);
-  return batch.control.defined() ? torch::cat({code, batch.control}, -1) : code;
+  const Tensor c =
+      batch.control.defined() ? batch.control : torch::zeros({s.size(0), options.control_dim}, s.options());
+  return torch::cat({s, s.square(), c}, -1);
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   if (positions.object_embedding.defined()) {
     objects.tokens = objects.tokens + positions.object_embedding.to(compute_type);
   }
-  const std::vector<Tensor> Z = decoder(objects, film_code(batch).to(compute_type));
+  const std::vector<Tensor> Z = decoder(objects, film_code(options, batch).to(compute_type));
 
   // Anchor-object interaction (§3.2)
   const Tensor u = anchor_vertex_pooling(encoding.vertex_features, x, batch.point_mask, q);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
+#include "rigidformer/model/anchors.hpp"
 
 namespace rigidformer {
 namespace {
@@ -116,8 +117,8 @@ void validate_scene(const std::vector<ObjectState>& objects, const RolloutOption
   check_range("ground_height_m", ground, std::isfinite(ground), "finite");
 }
 
-SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout, int num_anchors,
-                            int max_points, bool reads_property_mask) {
+SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
+                            const ModelOptions& model, int max_points) {
   const auto K = static_cast<int64_t>(objects.size());
   SceneInput input;
   int64_t longest = 1;
@@ -134,7 +135,6 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   batch.point_mask = torch::zeros({1, K, N}, torch::kBool);
   batch.object_mask = torch::ones({1, K}, torch::kBool);
   batch.dynamic_mask = torch::ones({1, K}, torch::kBool);
-  batch.anchor_index = torch::zeros({1, K, num_anchors}, torch::kInt64);
   batch.properties = torch::zeros({1, K, 3});
   batch.properties_known = torch::zeros({1, K, 3});
   batch.step_size = torch::full({1}, rollout.time_step_s * kFrameRateHz);
@@ -147,23 +147,28 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
     batch.points_reference[0][k].slice(0, 0, n).copy_(torch::from_blob(cloud.data(), {n, 3}));
     batch.point_mask[0][k].slice(0, 0, n).fill_(true);
     batch.dynamic_mask[0][k] = object.mode == MotionMode::kDynamic;
-    // The first points in farthest-point order are the anchors; tiny clouds repeat the last one.
-    for (int64_t a = 0; a < num_anchors; ++a) batch.anchor_index[0][k][a] = std::min(a, n - 1);
-    store_properties(object, reads_property_mask, batch, k);
+    store_properties(object, model.property_mask, batch, k);
     const bool rests = object.mode == MotionMode::kStatic;
     store_pose(rests ? object.T_world_current : object.T_world_previous, input.origin_world, input.state.previous, k);
     store_pose(object.T_world_current, input.origin_world, input.state.current, k);
   }
   input.state.first = input.state.previous;
+  batch.anchor_index =
+      farthest_anchors(batch.points_reference, batch.point_mask, model.num_anchors, model.random_anchors);
   return input;
 }
 
-RigidTransform to_world(const SceneInput& input, const Pose& pose, int64_t k) {
-  const Tensor R = pose.rotation[0][k].to(torch::kCPU, torch::kFloat64).contiguous();
-  const Tensor t = pose.translation[0][k].to(torch::kCPU, torch::kFloat64).contiguous();
-  const Eigen::Matrix3d rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data_ptr<double>());
-  const Eigen::Vector3d translation = Eigen::Map<const Eigen::Vector3d>(t.data_ptr<double>());
-  return {Eigen::Quaterniond(rotation).normalized(), translation + input.origin_world};
+std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose) {
+  const Tensor R = pose.rotation[0].to(torch::kCPU, torch::kFloat64).contiguous();
+  const Tensor t = pose.translation[0].to(torch::kCPU, torch::kFloat64).contiguous();
+  std::vector<RigidTransform> T_world_reference;
+  for (int64_t k = 0; k < R.size(0); ++k) {
+    const Eigen::Matrix3d rotation =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data_ptr<double>() + 9 * k);
+    const Eigen::Vector3d translation = Eigen::Map<const Eigen::Vector3d>(t.data_ptr<double>() + 3 * k);
+    T_world_reference.push_back({Eigen::Quaterniond(rotation).normalized(), translation + input.origin_world});
+  }
+  return T_world_reference;
 }
 
 }  // namespace rigidformer

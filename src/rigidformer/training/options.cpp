@@ -152,14 +152,41 @@ void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
+void require_probability(double value, const std::string& key) {
+  require(value >= 0.0 && value <= 1.0, "'" + key + "' must lie in [0, 1]");
+}
+
+void validate(const AugmentationOptions& o) {
+  require(o.min_points >= 4 && o.min_points <= o.max_points,
+          "'augmentation.min_points' must be at least 4 and at most max_points");
+  require_probability(o.vertex_probability, "augmentation.vertex_probability");
+  require_probability(o.view_probability, "augmentation.view_probability");
+  require_probability(o.unknown_probability, "augmentation.unknown_probability");
+  require_probability(o.yaw_probability, "augmentation.yaw_probability");
+  require_probability(o.permutation_probability, "augmentation.permutation_probability");
+  require(o.noise_m >= 0.0, "'augmentation.noise_m' must not be negative");
+  require(o.shift_m >= 0.0, "'augmentation.shift_m' must not be negative");
+}
+
+void validate(const OptimizerOptions& o) {
+  require(o.learning_rate > 0.0, "'optimizer.learning_rate' must be positive");
+  require(o.final_learning_rate >= 0.0, "'optimizer.final_learning_rate' must not be negative");
+  require_probability(o.warmup, "optimizer.warmup");
+  require(o.beta1 >= 0.0 && o.beta1 < 1.0, "'optimizer.beta1' must lie in [0, 1)");
+  require(o.beta2 >= 0.0 && o.beta2 < 1.0, "'optimizer.beta2' must lie in [0, 1)");
+  require(o.clip_norm > 0.0, "'optimizer.clip_norm' must be positive");
+  require(o.ema_decay >= 0.0 && o.ema_decay < 1.0, "'optimizer.ema_decay' must lie in [0, 1)");
+}
+
 void validate(const TrainingOptions& o) {
   require(o.iterations > 0, "'iterations' must be positive");
   require(o.batch_size > 0, "'batch_size' must be positive");
+  require(o.log_every > 0, "'log_every' must be positive");
   require(o.precision == "float32" || o.precision == "bfloat16", "'precision' must be float32 or bfloat16");
   require(o.loss.residual_unit == "dt" || o.loss.residual_unit == "dt2", "'loss.residual_unit' must be dt or dt2");
   require(o.loss.beta > 0.0, "'loss.beta' must be positive");
-  require(o.augmentation.min_points >= 4 && o.augmentation.min_points <= o.augmentation.max_points,
-          "'augmentation.min_points' must be at least 4 and at most max_points");
+  validate(o.augmentation);
+  validate(o.optimizer);
   require(o.point_sets.sets_per_shape >= 2 && o.point_sets.points_per_set >= o.augmentation.max_points,
           "'point_sets' needs at least 2 sets per shape and points_per_set of at least augmentation.max_points");
   require(!o.unroll.empty() && o.unroll.front().from == 0.0, "'unroll' must start with from: 0");

@@ -100,8 +100,8 @@ void Trainer::learn_once(LogEntry& entry) {
   entry.unroll_steps = unroll_steps();
   const std::vector<Window> windows =
       data_.sampler->draw_batch(options_.batch_size, entry.unroll_steps, options_.seed, iteration_);
-  const WindowBatch batch =
-      make_window_batch(data_.training, windows, entry.unroll_steps, options_.model.num_anchors, options_.augmentation);
+  const WindowBatch batch = make_window_batch(data_.training, windows, entry.unroll_steps, options_.model.num_anchors,
+                                              options_.augmentation, options_.model.random_anchors);
   optimizer_->zero_gradient();
   const Tensor loss = window_loss(options_.loss, model_, batch, nearest_by_distance_matrix);
   loss.backward();
@@ -113,8 +113,9 @@ void Trainer::learn_once(LogEntry& entry) {
 }
 
 void Trainer::log(LogEntry entry) {
-  entry.loss = loss_sum_.item<double>() / options_.log_every;
-  entry.gradient_norm = norm_sum_.item<double>() / options_.log_every;
+  const auto iterations = static_cast<double>((windows_ - windows_logged_) / options_.batch_size);
+  entry.loss = loss_sum_.item<double>() / iterations;
+  entry.gradient_norm = norm_sum_.item<double>() / iterations;
   entry.windows_per_s = static_cast<double>(windows_ - windows_logged_) / seconds_since(last_log_);
   log_->write(entry);
   loss_sum_.zero_();
@@ -166,6 +167,7 @@ void Trainer::save() {
   facts.iterations = iteration_;
   facts.windows = windows_;
   facts.seed = options_.seed;
+  facts.source_revision = RIGIDFORMER_SOURCE_REVISION;
   facts.min_points = options_.augmentation.min_points;
   facts.max_points = options_.augmentation.max_points;
   optimizer_->swap_average();

@@ -74,20 +74,8 @@ void store_object(SceneTensors& tensors, int64_t s, int64_t k, const RecordedObj
   }
 }
 
-}  // namespace
-
-std::vector<int64_t> SceneTensors::object_counts() const {
-  const Tensor counts = object_mask.sum(-1).to(torch::kCPU);
-  return {counts.data_ptr<int64_t>(), counts.data_ptr<int64_t>() + counts.numel()};
-}
-
-SceneTensors SceneTensors::to(const torch::Device& device) const {
-  return {poses.to(device),        object_mask.to(device),   shape.to(device),
-          size.to(device),         properties.to(device),    gravity.to(device),
-          shape_points.to(device), shape_normals.to(device), shape_point_count.to(device)};
-}
-
-SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
+/// Tensors for all scenes, without objects yet.
+SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   int64_t S = 0, F = -1, K = 0;
   for (const SceneArchive& archive : archives) {
     for (const SceneRecording& scene : archive.scenes) {
@@ -110,7 +98,24 @@ SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const
   tensors.size = torch::ones({S, K});
   tensors.properties = torch::zeros({S, K, 3});
   tensors.gravity = torch::zeros({S});
+  return tensors;
+}
 
+}  // namespace
+
+std::vector<int64_t> SceneTensors::object_counts() const {
+  const Tensor counts = object_mask.sum(-1).to(torch::kCPU);
+  return {counts.data_ptr<int64_t>(), counts.data_ptr<int64_t>() + counts.numel()};
+}
+
+SceneTensors SceneTensors::to(const torch::Device& device) const {
+  return {poses.to(device),        object_mask.to(device),   shape.to(device),
+          size.to(device),         properties.to(device),    gravity.to(device),
+          shape_points.to(device), shape_normals.to(device), shape_point_count.to(device)};
+}
+
+SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
+  SceneTensors tensors = allocate(archives);
   std::vector<const Shape*> shapes;
   int64_t s = 0;
   for (const SceneArchive& archive : archives) {

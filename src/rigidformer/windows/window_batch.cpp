@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rigidformer/model/centre_of_mass.hpp"
-
 namespace rigidformer {
 namespace {
 
@@ -114,23 +112,75 @@ void keep_points(const PointCandidates& candidates, const Tensor& usable, const 
   scene.point_mask = (rank.slice(0, 0, N) < count).logical_and(scene.object_mask.unsqueeze(-1));
 }
 
-}  // namespace
+/// Which rows of the scene tensors a batch is made of.
+struct WindowRows {
+  Tensor scene;      ///< [B] int64
+  Tensor frame;      ///< [B * T] int64 into flattened (scene, frame)
+  Tensor step_size;  ///< [B] frames
+  Tensor order;      ///< [B, K] which object stands where
+};
 
-Tensor farthest_anchors(const Tensor& points, const Tensor& point_mask, int num_anchors) {
-  torch::NoGradGuard no_grad;
-  const Tensor middle = centroid(points, point_mask).unsqueeze(2);
-  const Tensor invalid = point_mask.logical_not();
-  Tensor distance = (points - middle).square().sum(-1).masked_fill(invalid, -1.0);
-  std::vector<Tensor> chosen = {distance.argmax(-1)};
-  distance = torch::full_like(distance, 1e9).masked_fill(invalid, -1.0);
-  while (static_cast<int>(chosen.size()) < num_anchors) {
-    const Tensor newest = gather_points(points, chosen.back().unsqueeze(-1));  // [B, K, 1, 3]
-    distance = torch::minimum(distance, (points - newest).square().sum(-1));
-    distance = distance.masked_fill(invalid, -1.0);
-    chosen.push_back(distance.argmax(-1));
+WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& windows, int64_t T, double permutation) {
+  std::vector<int64_t> scenes, frames, steps;
+  for (const Window& window : windows) {
+    scenes.push_back(window.scene);
+    steps.push_back(window.step_size);
+    for (int64_t t = 0; t < T; ++t) {
+      frames.push_back(window.scene * tensors.num_frames() + window.frame + t * window.step_size);
+    }
   }
-  return torch::stack(chosen, -1);
+  const auto device = tensors.poses.device();
+  WindowRows rows{to_index(scenes, device), to_index(frames, device), to_index(steps, device).to(torch::kFloat32), {}};
+  rows.order = draw_object_order(tensors.object_mask.index({rows.scene}), permutation, tensors.poses.options());
+  return rows;
 }
+
+/// [S, K_all, ...] -> [B, K, ...] in drawn order.
+Tensor per_object(const Tensor& values, const WindowRows& rows) {
+  const Tensor of_scene = values.index({rows.scene});
+  if (of_scene.dim() == 2) return of_scene.gather(1, rows.order);
+  return of_scene.gather(1, rows.order.unsqueeze(-1).expand({-1, -1, of_scene.size(2)}));
+}
+
+/// True poses of all T frames, turned and shifted as a whole.
+std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& rows, int64_t T,
+                               const AugmentationOptions& options) {
+  const int64_t B = rows.order.size(0), K = rows.order.size(1);
+  const auto like = tensors.poses.options();
+  const Tensor yaw = draw_yaw(B, options, like).unsqueeze(1);  // [B, 1, 3, 3]
+  const Tensor shift = draw_shift(B, options.shift_m, like);
+  Tensor frames = tensors.poses.flatten(0, 1).index({rows.frame}).unflatten(0, {B, T});
+  frames = frames.gather(2, rows.order.reshape({B, 1, K, 1}).expand({B, T, K, 7}));
+  std::vector<Pose> poses;
+  for (int64_t t = 0; t < T; ++t) {
+    const Tensor row = frames.select(1, t);
+    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1) + shift;
+    poses.push_back({torch::matmul(yaw, rotation_matrix(row.slice(-1, 3))), translation});
+  }
+  return poses;
+}
+
+/// The clouds as observed at `pose`: a surface sampling, perhaps from one side only, perhaps noisy.
+void observe_points(const SceneTensors& tensors, const WindowRows& rows, const Pose& pose,
+                    const AugmentationOptions& options, SceneBatch& scene) {
+  const int64_t B = rows.order.size(0);
+  const auto like = tensors.poses.options();
+  const PointCandidates candidates = draw_point_sets(tensors, per_object(tensors.shape, rows),
+                                                     per_object(tensors.size, rows), options.vertex_probability);
+  Tensor usable = candidates.usable;
+  if (options.view_probability > 0.0) {
+    const Tensor whole =
+        (torch::rand({B, 1, 1}, like) >= options.view_probability).logical_or(candidates.has_normals.logical_not());
+    usable = usable.logical_and(facing_camera(candidates, pose).logical_or(whole));
+  }
+  keep_points(candidates, usable, options, scene);
+  if (options.noise_m > 0.0) {
+    const Tensor deviation = torch::rand({B, 1, 1, 1}, like) * options.noise_m;
+    scene.points_reference = scene.points_reference + deviation * torch::randn_like(scene.points_reference);
+  }
+}
+
+}  // namespace
 
 AugmentationOptions no_augmentation(int num_points) {
   AugmentationOptions options;
@@ -140,61 +190,26 @@ AugmentationOptions no_augmentation(int num_points) {
 }
 
 WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Window>& windows, int num_steps,
-                              int num_anchors, const AugmentationOptions& options) {
+                              int num_anchors, const AugmentationOptions& options, bool random_anchors) {
   torch::NoGradGuard no_grad;
-  const auto device = tensors.poses.device();
   const auto like = tensors.poses.options();
   const auto B = static_cast<int64_t>(windows.size());
-  const int64_t F = tensors.num_frames(), T = num_steps + 2;
-  std::vector<int64_t> scene_rows, frame_rows, steps;
-  for (const Window& window : windows) {
-    scene_rows.push_back(window.scene);
-    steps.push_back(window.step_size);
-    for (int64_t t = 0; t < T; ++t) frame_rows.push_back(window.scene * F + window.frame + t * window.step_size);
-  }
-  const Tensor scene_index = to_index(scene_rows, device);
-  const Tensor order =
-      draw_object_order(tensors.object_mask.index({scene_index}), options.permutation_probability, like);
-  const int64_t K = order.size(1);
-  const auto per_object = [&](const Tensor& values) {  // [S, K, ...] -> [B, K, ...] in drawn order
-    const Tensor rows = values.index({scene_index});
-    return rows.dim() == 2 ? rows.gather(1, order) : rows.gather(1, order.unsqueeze(-1).expand({B, K, rows.size(2)}));
-  };
+  const int64_t T = num_steps + 2;
+  const WindowRows rows = draw_rows(tensors, windows, T, options.permutation_probability);
 
   WindowBatch batch;
   SceneBatch& scene = batch.scene;
-  scene.object_mask = per_object(tensors.object_mask);
+  scene.object_mask = per_object(tensors.object_mask, rows);
   scene.dynamic_mask = scene.object_mask;
-  scene.properties_known = torch::ones({B, K, 3}, like) * (torch::rand({B, 1, 1}, like) >= options.unknown_probability);
-  scene.properties = per_object(tensors.properties) * scene.properties_known;
-  scene.step_size = to_index(steps, device).to(torch::kFloat32);
+  const Tensor known = torch::rand({B, 1, 1}, like) >= options.unknown_probability;
+  scene.properties_known = torch::ones({B, rows.order.size(1), 3}, like) * known;
+  scene.properties = per_object(tensors.properties, rows) * scene.properties_known;
+  scene.step_size = rows.step_size;
   scene.ground_height = torch::zeros({B}, like);
-  scene.gravity = tensors.gravity.index({scene_index});
-
-  const Tensor yaw = draw_yaw(B, options, like).unsqueeze(1);  // [B, 1, 3, 3]
-  const Tensor shift = draw_shift(B, options.shift_m, like);
-  Tensor rows = tensors.poses.flatten(0, 1).index({to_index(frame_rows, device)}).unflatten(0, {B, T});
-  rows = rows.gather(2, order.reshape({B, 1, K, 1}).expand({B, T, K, 7}));
-  for (int64_t t = 0; t < T; ++t) {
-    const Tensor row = rows.select(1, t);
-    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1) + shift;
-    batch.poses.push_back({torch::matmul(yaw, rotation_matrix(row.slice(-1, 3))), translation});
-  }
-
-  const PointCandidates candidates =
-      draw_point_sets(tensors, per_object(tensors.shape), per_object(tensors.size), options.vertex_probability);
-  Tensor usable = candidates.usable;
-  if (options.view_probability > 0.0) {
-    const Tensor whole =
-        (torch::rand({B, 1, 1}, like) >= options.view_probability).logical_or(candidates.has_normals.logical_not());
-    usable = usable.logical_and(facing_camera(candidates, batch.poses[1]).logical_or(whole));
-  }
-  keep_points(candidates, usable, options, scene);
-  if (options.noise_m > 0.0) {
-    const Tensor deviation = torch::rand({B, 1, 1, 1}, like) * options.noise_m;
-    scene.points_reference = scene.points_reference + deviation * torch::randn_like(scene.points_reference);
-  }
-  scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors);
+  scene.gravity = tensors.gravity.index({rows.scene});
+  batch.poses = window_poses(tensors, rows, T, options);
+  observe_points(tensors, rows, batch.poses[1], options, scene);
+  scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors, random_anchors);
   return batch;
 }
 

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rigidformer/model/batch.hpp"
+
+namespace rigidformer {
+
+/// Anchors by farthest point sampling (§3.2): points [B, K, N, 3] -> indices [B, K, A]. The first anchor is the point
+/// farthest from the centroid, or (Tab. 9) a random one. Distinct as long as the cloud has A distinct points.
+Tensor farthest_anchors(const Tensor& points, const Tensor& point_mask, int num_anchors, bool random_start = false);
+
+}  // namespace rigidformer

@@ -1,0 +1,41 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Makes the accuracy numbers of README and model card: simulates test scenes with seeds that no training used, scores
+# the model beside the ballistic guess, and prints Markdown tables. About 15 minutes on one core.
+#   scripts/score_model.sh [--model FILE] [--shapes DIR] [--scenes N] [--out DIR] [--workspace DIR]
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+workspace=$root/build/catkin_ws
+out=$root/runs/scores
+scenes=120
+shapes=()
+model=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --model) model=(--model "$2") ;;
+    --shapes) shapes=(--shapes "$2") ;;
+    --scenes) scenes=$2 ;;
+    --out) out=$2 ;;
+    --workspace) workspace=$(realpath -m "$2") ;;
+    *) echo "usage: $0 [--model FILE] [--shapes DIR] [--scenes N] [--out DIR] [--workspace DIR]" >&2; exit 2 ;;
+  esac
+  shift 2
+done
+tools=$workspace/devel/lib/rigidformer_ros
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+
+data=()
+seed=770001
+for set in movi_sphere movi_a movi_b; do
+  "$tools/generate_scenes" --set $set --scenes "$scenes" --seed $seed --out "$out/$set" "${shapes[@]}"
+  data+=(--data "$out/$set")
+  seed=$((seed + 1))
+done
+score() { "$tools/evaluate" "${model[@]}" "${data[@]}" --starts 0,120,240 --horizons 50,75,100 "$@"; }
+score --steps 10 --json "$out/steps_10.json"
+# A step of one frame needs ten times the steps: fewer scenes.
+score --steps 1,5 --scenes $((scenes / 6)) --json "$out/steps_1_5.json"
+"$root/scripts/score_table.py" "$out/steps_10.json" "$out/steps_1_5.json"

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/training/losses.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rigidformer/model/random_scene.hpp"
+
+namespace rigidformer {
+namespace {
+
+/// One or more objects whose prediction misses by the same vectors everywhere; time step 0.5 s.
+struct Miss {
+  RandomScene scene;
+  StepPrediction prediction;
+  Pose truth;
+
+  explicit Miss(int num_objects) : scene(random_scene(1, {std::vector<int64_t>(static_cast<size_t>(num_objects), 6)})) {
+    scene.batch.step_size.fill_(120.0);
+    truth = scene.state.current;
+    const Tensor raw = torch::tensor({0.5, 0.0, 0.0}, torch::kFloat64), rigid = raw.roll(1) * 4.0;
+    prediction.anchors_raw = truth.apply(scene.batch.anchors_reference()) + raw;
+    prediction.pose = {truth.rotation, truth.translation + rigid};
+  }
+
+  double loss(const LossOptions& options) const {
+    return step_loss(options, scene.batch, prediction, truth).item<double>();
+  }
+};
+
+TEST(StepLoss, MatchesHandComputedValues) {
+  const Miss miss(1);
+  LossOptions options;
+  // Positions: smooth(0.5) + smooth(2) = 0.125 + 1.5. Residuals / dt^2: smooth(2) + smooth(8) = 1.5 + 7.5.
+  EXPECT_NEAR(miss.loss(options), 10.0 * 1.625 + 9.0, 1e-9);
+  options.residual_unit = "dt";  // smooth(1) + smooth(4) = 0.5 + 3.5
+  EXPECT_NEAR(miss.loss(options), 10.0 * 1.625 + 4.0, 1e-9);
+  options.position_weight = 0.0;
+  options.acceleration_weight = 3.0;
+  EXPECT_NEAR(miss.loss(options), 12.0, 1e-9);
+  options.beta = 2.0;  // 0.5 * 1 / 2 + (4 - 1)
+  EXPECT_NEAR(miss.loss(options), 3.0 * 3.25, 1e-9);
+}
+
+TEST(StepLoss, IsTheMeanOverValidDynamicObjects) {
+  Miss miss(3);
+  LossOptions options;
+  const double expected = Miss(1).loss(options);
+  EXPECT_NEAR(miss.loss(options), expected, 1e-9);  // all miss by the same
+  for (Tensor* tensor : {&miss.prediction.anchors_raw, &miss.prediction.pose.translation}) {
+    tensor->select(1, 1).add_(100.0);
+    tensor->select(1, 2).add_(100.0);
+  }
+  EXPECT_GT(miss.loss(options), 100.0);
+  miss.scene.batch.object_mask[0][1] = false;   // padding
+  miss.scene.batch.dynamic_mask[0][2] = false;  // static: its prediction is not used
+  EXPECT_NEAR(miss.loss(options), expected, 1e-9);
+  miss.scene.batch.object_mask.fill_(false);
+  EXPECT_EQ(miss.loss(options), 0.0);
+}
+
+TEST(StepLoss, PerfectPredictionCostsNothing) {
+  Miss miss(2);
+  miss.prediction = {miss.truth.apply(miss.scene.batch.anchors_reference()), miss.truth};
+  EXPECT_EQ(miss.loss({}), 0.0);
+}
+
+TEST(CentreOfMassLoss, CountsInBoundingRadii) {
+  RandomScene scene = random_scene(1, {{5}});
+  scene.batch.points_reference = 2.0 * scene.batch.points_reference / scene.batch.points_reference.norm(2, -1, true);
+  LossOptions options;
+  options.centre_of_mass_weight = 3.0;
+  const auto loss = [&](double x) {
+    const Tensor centre = torch::tensor({x, 0.0, 0.0}, torch::kFloat64).view({1, 1, 3});
+    return centre_of_mass_loss(options, scene.batch, centre).item<double>();
+  };
+  EXPECT_EQ(loss(0.0), 0.0);
+  EXPECT_NEAR(loss(1.0), 3.0 * (0.5 - 0.05), 1e-9);             // half a radius, on the line of Smooth L1
+  EXPECT_NEAR(loss(0.1), 3.0 * 0.5 * 0.05 * 0.05 / 0.1, 1e-9);  // on the square
+}
+
+/// A window whose truth is the rollout of the model itself, with the last step missed by `miss` metres along x.
+WindowBatch own_rollout(RigidFormer& model, const RandomScene& scene, int num_steps, double miss) {
+  WindowBatch windows{scene.batch, {scene.state.previous, scene.state.current}};
+  SceneState state{scene.state.previous, scene.state.previous, scene.state.current};
+  for (int step = 0; step < num_steps; ++step) {
+    state = advance(scene.batch, state, predict(model, {scene.batch, state}).pose);
+    windows.poses.push_back(state.current);
+  }
+  windows.poses.back().translation =
+      windows.poses.back().translation + miss * torch::tensor({1.0, 0.0, 0.0}, torch::kFloat64);
+  return windows;
+}
+
+TEST(WindowLoss, RollsTheModelOut) {
+  const RandomScene scene = random_scene(2, {{12, 9}, {8}});
+  RigidFormer model = random_model(model_preset("tiny"));
+  LossOptions options;
+  options.acceleration_weight = 0.0;
+  options.position_weight = 1.0;
+  // The raw anchors are not quite rigid, so only the rigid half of the loss vanishes.
+  const double perfect =
+      window_loss(options, model, own_rollout(model, scene, 3, 0.0), nearest_by_distance_matrix).item<double>();
+  const double missed =
+      window_loss(options, model, own_rollout(model, scene, 3, 5.0), nearest_by_distance_matrix).item<double>();
+  EXPECT_LT(perfect, 0.01);
+  EXPECT_NEAR(missed, 2.0 * 4.5 / 3.0, 0.05);  // raw and rigid miss of one step out of three
+}
+
+TEST(WindowLoss, GradientMatchesTheDifferenceQuotient) {
+  const RandomScene scene = random_scene(3, {{12, 9}, {8}});
+  for (const ModelOptions& options : tiny_variants()) {
+    RigidFormer model = random_model(options);
+    const WindowBatch windows = own_rollout(model, scene, 2, 0.5);
+    std::vector<Tensor> parameters, directions;
+    torch::manual_seed(4);
+    for (const auto& parameter : model->named_parameters()) {
+      if (parameter.key().rfind("centre_of_mass_head", 0) == 0) continue;  // learns from its own loss alone
+      parameters.push_back(parameter.value());
+      directions.push_back(torch::randn_like(parameter.value()).detach());
+    }
+    const auto loss = [&] { return window_loss({}, model, windows, nearest_by_distance_matrix); };
+    loss().backward();
+    double analytic = 0.0;
+    for (size_t i = 0; i < parameters.size(); ++i) {
+      if (parameters[i].grad().defined()) analytic += (parameters[i].grad() * directions[i]).sum().item<double>();
+    }
+    torch::NoGradGuard no_grad;
+    const double h = 1e-7;
+    const auto move = [&](double step) {
+      for (size_t i = 0; i < parameters.size(); ++i) parameters[i].add_(directions[i], step);
+    };
+    move(h);
+    const double above = loss().item<double>();
+    move(-2.0 * h);
+    const double below = loss().item<double>();
+    EXPECT_NEAR((above - below) / (2.0 * h), analytic, 1e-5 * std::max(1.0, std::abs(analytic)));
+    EXPECT_GT(std::abs(analytic), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace rigidformer

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/training/trainer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <sstream>
+
+#include "rigidformer/data/example_archive.hpp"
+#include "rigidformer/model/checkpoint.hpp"
+#include "rigidformer/model/nearest.hpp"
+#include "rigidformer/training/command_line.hpp"
+#include "rigidformer/training/losses.hpp"
+#include "rigidformer/training/options.hpp"
+#include "rigidformer/training/training_data.hpp"
+#ifdef RIGIDFORMER_HAS_SIMULATION
+#include "rigidformer/simulation/builtin_shapes.hpp"
+#include "rigidformer/simulation/movi_scene.hpp"
+#endif
+
+namespace rigidformer {
+namespace {
+
+constexpr std::int64_t kIterations = 30;
+const std::string kConfigFile = std::string(RIGIDFORMER_SOURCE_DIR) + "/config/train/tiny.yaml";
+
+/// Progress lines do not belong into the output of a test.
+class QuietTerminal {
+ public:
+  QuietTerminal() : terminal_(std::cerr.rdbuf(text_.rdbuf())) {}
+  ~QuietTerminal() { std::cerr.rdbuf(terminal_); }
+
+ private:
+  std::ostringstream text_;
+  std::streambuf* terminal_;
+};
+
+class TrainerTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+#ifdef RIGIDFORMER_HAS_SIMULATION
+    SceneArchive archive;
+    archive.set = "movi_a";
+    archive.shapes = movi_shapes(MoviSet::kA, builtin_shapes());
+    for (std::uint64_t i = 0; i < 3; ++i) {
+      archive.scenes.push_back(generate_movi_scene(MoviSet::kA, archive.shapes, 17, i, {}));
+    }
+    write_scene_archive(data_, archive);
+    options_ = load_training_options(kConfigFile);
+    options_.iterations = kIterations;
+#else
+    GTEST_SKIP() << "scenes need the simulation, which was built without Bullet";
+#endif
+  }
+
+  TrainingPaths paths(const std::string& output) const { return {{data_}, {}, {}, folder_.path() / output, {}}; }
+
+  /// Trains into folder `output` and returns the number of iterations done so far.
+  std::int64_t run(const std::string& output, double max_seconds = 0.0, bool resume = false) const {
+    TrainingMachine machine;
+    machine.device = "cpu";
+    machine.max_minutes = max_seconds / 60.0;
+    machine.resume = resume;
+    train(options_, paths(output), machine);
+    return load_checkpoint(model_file(output)).facts.iterations;
+  }
+
+  std::filesystem::path model_file(const std::string& output) const {
+    return folder_.path() / output / "model.safetensors";
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path data_ = folder_.path() / "scenes.safetensors";
+  TrainingOptions options_;
+  const QuietTerminal quiet_;
+};
+
+TEST_F(TrainerTest, ThirtyIterationsLowerTheLoss) {
+  ASSERT_EQ(run("start", 1e-9), 0);
+  ASSERT_EQ(run("end"), kIterations);
+  const TrainingData data = load_training_data(paths("any"), options_, torch::kCPU);
+  torch::manual_seed(1);
+  const std::vector<Window> windows = data.sampler->draw_batch(64, 1, 99, 0);
+  const WindowBatch batch = make_window_batch(data.training, windows, 1, 4, options_.augmentation);
+  const auto loss_of = [&](const std::string& output) {
+    torch::NoGradGuard no_grad;
+    RigidFormer model = load_checkpoint(model_file(output)).model;
+    model->eval();
+    return window_loss(options_.loss, model, batch, nearest_by_distance_matrix).item<double>();
+  };
+  EXPECT_LT(loss_of("end"), 0.9 * loss_of("start"));
+}
+
+TEST_F(TrainerTest, ResumedRunEqualsTheUninterruptedOneBitByBit) {
+  options_.unroll = {{0.0, 1}, {0.5, 2}};
+  run("whole");
+  double seconds = 0.2;
+  std::int64_t done = 0;
+  for (int attempt = 0; attempt < 12 && (done == 0 || done == kIterations); ++attempt) {
+    done = run("parts", seconds);
+    seconds *= done == 0 ? 3.0 : 0.3;
+  }
+  ASSERT_GT(done, 0);
+  ASSERT_LT(done, kIterations);
+  ASSERT_EQ(run("parts", 0.0, true), kIterations);
+  const TensorFile whole = read_tensor_file(model_file("whole")), parts = read_tensor_file(model_file("parts"));
+  ASSERT_EQ(parts.tensors.size(), whole.tensors.size());
+  for (const auto& [name, tensor] : whole.tensors) EXPECT_EQ(parts.tensors.at(name).bytes, tensor.bytes) << name;
+  EXPECT_EQ(parts.metadata, whole.metadata);  // facts and hash too
+}
+
+TEST_F(TrainerTest, LeavesModelStateLogAndValidation) {
+  options_.iterations = 10;
+  options_.validation_scenes = 2;
+  TrainingPaths with_validation = paths("out");
+  with_validation.validation = {data_};
+  train(options_, with_validation, {"cpu", 1, 0.0, false});
+  const std::filesystem::path out = folder_.path() / "out";
+  for (const char* name : {"model.safetensors", "model_bfloat16.safetensors", "state.safetensors"}) {
+    EXPECT_NO_THROW(read_tensor_file(out / name)) << name;
+  }
+  const auto text_of = [&](const char* name) {
+    std::ifstream in(out / name);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  const std::string log = text_of("log.csv");
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2) << log;  // header and iteration 10
+  EXPECT_NE(text_of("validation.log").find("start 240"), std::string::npos);
+  const TrainingFacts facts = load_checkpoint(out / "model.safetensors").facts;
+  EXPECT_EQ(facts.data, "movi_a 3");
+  EXPECT_EQ(facts.windows, 10 * options_.batch_size);
+  EXPECT_GT(facts.max_speed_mps, 1.0);
+  EXPECT_GT(facts.max_diameter_m, facts.min_diameter_m);
+}
+
+TEST_F(TrainerTest, ResumingAnotherModelIsRefused) {
+  run("out", 1e-9);
+  options_.model.num_layers = 5;
+  EXPECT_NE(error_of([&] { run("out", 1e-9, true); }).find("other model options"), std::string::npos);
+  EXPECT_NE(error_of([&] { run("nothing", 1e-9, true); }).find("state.safetensors"), std::string::npos);
+}
+
+TEST_F(TrainerTest, CommandLineReportsErrorsInOneLine) {
+  std::ostringstream log;
+  TrainCommand command;
+  command.config = "/nowhere/train.yaml";
+  EXPECT_EQ(run_train(command, log), 1);
+  EXPECT_EQ(log.str().rfind("train: ", 0), 0u) << log.str();
+  command.config = kConfigFile;
+  command.paths = paths("out");
+  command.machine.device = "cpu";
+  command.machine.max_minutes = 1e-9;
+  command.iterations = 7;
+  EXPECT_EQ(run_train(command, log), 0) << log.str();
+  command.paths.data = {folder_.path() / "missing"};
+  EXPECT_EQ(run_train(command, log), 1);
+  EXPECT_NE(log.str().find("missing"), std::string::npos) << log.str();
+}
+
+}  // namespace
+}  // namespace rigidformer

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/windows/window_sampler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "rigidformer/data/example_archive.hpp"
+#include "window_scenes.hpp"
+
+namespace rigidformer {
+namespace {
+
+constexpr int kFrames = 100;
+
+bool same(const Window& a, const Window& b) {
+  return a.scene == b.scene && a.frame == b.frame && a.step_size == b.step_size;
+}
+
+bool same(const std::vector<Window>& a, const std::vector<Window>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Window& x, const Window& y) { return same(x, y); });
+}
+
+WindowSampler sampler(const WindowOptions& options, ContactEvents events = {}) {
+  return WindowSampler(options, std::move(events), {3, 1, 4, 2}, kFrames);
+}
+
+TEST(WindowSamplerTest, WindowsFitIntoTheScene) {
+  WindowOptions options;
+  options.any_step_probability = 0.3;
+  options.mid_air_probability = options.floor_probability = 0.3;
+  const WindowSampler draws = sampler(options, {{{1, 0}, {2, 99}}, {{3, 1}, {0, 98}}});
+  std::mt19937_64 random(1);
+  std::set<int> scenes, frames;
+  for (const int num_steps : {1, 2, 6}) {
+    for (int i = 0; i < 2000; ++i) {
+      const Window window = draws.draw(num_steps, random);
+      scenes.insert(window.scene);
+      frames.insert(window.frame);
+      ASSERT_GE(window.frame, 0);
+      ASSERT_GE(window.step_size, 1);
+      ASSERT_LE(window.step_size, 10);
+      ASSERT_LT(window.frame + (num_steps + 1) * window.step_size, kFrames);
+    }
+  }
+  EXPECT_EQ(scenes, (std::set<int>{0, 1, 2, 3}));
+  EXPECT_EQ(*frames.begin(), 0);
+  EXPECT_EQ(*frames.rbegin(), kFrames - 3);  // the last window of the smallest step
+}
+
+TEST(WindowSamplerTest, StepSizesComeFromTheList) {
+  WindowOptions options;
+  options.step_sizes = {2, 7};
+  std::mt19937_64 random(2);
+  std::set<int> listed, any;
+  for (int i = 0; i < 500; ++i) listed.insert(sampler(options).draw(1, random).step_size);
+  EXPECT_EQ(listed, (std::set<int>{2, 7}));
+  options.any_step_probability = 1.0;
+  for (int i = 0; i < 500; ++i) any.insert(sampler(options).draw(1, random).step_size);
+  EXPECT_EQ(any, (std::set<int>{1, 2, 3, 4, 5, 6, 7}));
+  options.step_sizes = {40};
+  options.any_step_probability = 0.0;
+  EXPECT_EQ(sampler(options).draw(1, random).step_size, 40);
+  EXPECT_EQ(sampler(options).draw(8, random).step_size, 11);  // ten frames must fit
+}
+
+TEST(WindowSamplerTest, EventsLieInThePredictedPart) {
+  const ContactEvents events{{{2, 60}, {0, 99}}, {{3, 10}}};
+  for (const bool mid_air : {true, false}) {
+    WindowOptions options;
+    options.any_step_probability = 0.5;
+    (mid_air ? options.mid_air_probability : options.floor_probability) = 1.0;
+    const WindowSampler draws = sampler(options, events);
+    std::mt19937_64 random(3);
+    std::set<std::pair<int, int>> seen;  // scene and predicted step that holds the event
+    for (const int num_steps : {1, 4}) {
+      for (int i = 0; i < 2000; ++i) {
+        const Window window = draws.draw(num_steps, random);
+        ASSERT_TRUE(mid_air ? window.scene == 2 || window.scene == 0 : window.scene == 3);
+        const int event = window.scene == 2 ? 60 : window.scene == 0 ? 99 : 10;
+        ASSERT_GE(event, window.frame + window.step_size);
+        ASSERT_LE(event, window.frame + (num_steps + 1) * window.step_size);
+        if (window.scene == 2 && num_steps == 4) seen.emplace(2, (event - window.frame) / window.step_size);
+      }
+    }
+    if (mid_air) EXPECT_EQ(seen.size(), 4u);  // any of the predicted steps
+  }
+}
+
+TEST(WindowSamplerTest, WithoutEventsWindowsAreUniform) {
+  WindowOptions options;
+  options.mid_air_probability = 1.0;
+  std::mt19937_64 random(4);
+  std::set<int> scenes;
+  for (int i = 0; i < 200; ++i) scenes.insert(sampler(options).draw(1, random).scene);
+  EXPECT_EQ(scenes.size(), 4u);
+}
+
+TEST(WindowSamplerTest, BatchesFollowFromSeedAndIteration) {
+  const WindowSampler draws = sampler({});
+  for (const std::int64_t iteration : {0, 1, 8, 1000}) {
+    EXPECT_TRUE(same(draws.draw_batch(6, 2, 9, iteration), draws.draw_batch(6, 2, 9, iteration)));
+    EXPECT_FALSE(same(draws.draw_batch(6, 2, 9, iteration), draws.draw_batch(6, 2, 10, iteration)));
+    EXPECT_FALSE(same(draws.draw_batch(6, 2, 9, iteration), draws.draw_batch(6, 2, 9, iteration + 1)));
+  }
+}
+
+TEST(WindowSamplerTest, BatchesHoldScenesOfSimilarSize) {
+  const std::vector<int64_t> counts = {3, 1, 4, 2};
+  const WindowSampler draws = sampler({});
+  double spread_in_batches = 0.0;
+  std::set<int> scenes;
+  for (std::int64_t iteration = 0; iteration < 40; ++iteration) {
+    int64_t least = 99, most = 0;
+    for (const Window& window : draws.draw_batch(10, 1, 5, iteration)) {
+      scenes.insert(window.scene);
+      least = std::min(least, counts[static_cast<size_t>(window.scene)]);
+      most = std::max(most, counts[static_cast<size_t>(window.scene)]);
+    }
+    spread_in_batches += static_cast<double>(most - least) / 40.0;
+  }
+  EXPECT_EQ(scenes.size(), 4u);
+  EXPECT_LT(spread_in_batches, 1.0);  // 3 for batches of ten random windows
+}
+
+TEST(WindowSamplerTest, BadOptionsAreRefusedByName) {
+  const auto refusal = [](const auto& change) {
+    WindowOptions options;
+    change(options);
+    EXPECT_THROW(sampler(options), std::invalid_argument);
+    return error_of([&] { sampler(options); });
+  };
+  EXPECT_NE(refusal([](auto& o) { o.step_sizes = {}; }).find("step_sizes"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.step_sizes = {0, 5}; }).find("step_sizes"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.step_sizes = {50}; }).find("step_sizes"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.any_step_probability = 1.5; }).find("any_step_probability"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.mid_air_probability = -0.1; }).find("mid_air_probability"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.floor_probability = std::nan(""); }).find("floor_probability"), std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.mid_air_probability = o.floor_probability = 0.6; }).find("floor_probability"),
+            std::string::npos);
+}
+
+class ContactEventsTest : public ::testing::Test {
+ protected:
+  static ContactEvents find(const std::vector<SceneRecording>& scenes) {
+    SceneArchive archive;
+    archive.shapes = {unit_cube()};
+    archive.scenes = scenes;
+    return find_contact_events(make_scene_tensors({archive}, {2, 16, 1}));
+  }
+
+  static constexpr double kImpact = 60 / 240.0;  // [s]
+  static constexpr double kGravity = -10.0;
+};
+
+TEST_F(ContactEventsTest, FreeFlightHasNone) {
+  const ContactEvents events = find_contact_events(make_scene_tensors({flying_cubes_archive({1, 3}, 60)}, {2, 16, 1}));
+  EXPECT_TRUE(events.mid_air.empty());
+  EXPECT_TRUE(events.floor.empty());
+}
+
+TEST_F(ContactEventsTest, BounceOnTheFloorIsOneFloorEvent) {
+  const SceneRecording bounce = moving_cube(120, [](double time) {
+    const double t = time - kImpact, velocity = t < 0.0 ? -5.0 : 3.0;
+    return Eigen::Vector3d(t, 0.0, 0.5 + velocity * t + 0.5 * kGravity * t * t);
+  });
+  const ContactEvents events = find({flying_cubes(1, 120), bounce});
+  EXPECT_TRUE(events.mid_air.empty());
+  ASSERT_EQ(events.floor.size(), 1u);
+  EXPECT_EQ(events.floor[0].scene, 1);
+  EXPECT_EQ(events.floor[0].frame, 60);
+}
+
+TEST_F(ContactEventsTest, CollisionInTheAirIsAMidAirEvent) {
+  const SceneRecording hit = moving_cube(120, [](double time) {
+    const double t = time - kImpact, velocity = t < 0.0 ? -2.0 : 2.0;
+    return Eigen::Vector3d(velocity * t, 0.0, 8.0 + 0.5 * kGravity * t * t);
+  });
+  const ContactEvents events = find({hit, flying_cubes(2, 120)});
+  EXPECT_TRUE(events.floor.empty());
+  ASSERT_EQ(events.mid_air.size(), 1u);
+  EXPECT_EQ(events.mid_air[0].scene, 0);
+  EXPECT_EQ(events.mid_air[0].frame, 60);
+}
+
+}  // namespace
+}  // namespace rigidformer
