@@ -17,6 +17,10 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # One position-independent flavour everywhere, so that libraries, tools and tests share a precompiled header.
 add_compile_options(-fPIC)
 
+# Where the sources really are: in a workspace the package folder may consist of links.
+get_filename_component(RIGIDFORMER_SOURCE_DIR ${PROJECT_SOURCE_DIR}/CMakeLists.txt REALPATH)
+get_filename_component(RIGIDFORMER_SOURCE_DIR ${RIGIDFORMER_SOURCE_DIR} DIRECTORY)
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER

@@ -29,8 +29,17 @@ jobs=$((jobs < $(nproc) ? jobs : $(nproc)))
 # Another Python in front of Debian's cannot import catkin's modules.
 export PATH=/usr/bin:/bin:$PATH
 
-mkdir -p "$workspace/src"
-ln -sfn "$root" "$workspace/src/rigidformer_ros"
+# The package folder holds a link per entry, without the build folders: a link to the whole repository would lead back
+# into this workspace, and ROS's tools would find every launch file again and again.
+package=$workspace/src/rigidformer_ros
+rm -rf "$package"
+mkdir -p "$package"
+for entry in "$root"/*; do
+  case $(basename "$entry") in
+    build* | devel | install | logs | data | runs | bundle) ;;
+    *) ln -s "$entry" "$package/" ;;
+  esac
+done
 cd "$workspace"
 echo "build: $workspace, ${targets[*]}, $jobs jobs"
 catkin_make --use-ninja -j"$jobs" -DCMAKE_BUILD_TYPE=Release -DRIGIDFORMER_WERROR=ON \

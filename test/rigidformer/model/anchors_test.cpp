@@ -33,7 +33,7 @@ TEST_F(FarthestAnchorsTest, EqualFarthestPointSamplingOfTheValidPoints) {
 
 TEST_F(FarthestAnchorsTest, DoNotDependOnVertexOrder) {
   const Tensor anchors = farthest_anchors(points_, mask_, 5);
-  const Tensor order = torch::rand(mask_.sizes()).argsort(-1);
+  const Tensor order = torch::rand(mask_.sizes()).argsort();
   const Tensor shuffled = gather_points(points_, order);
   const Tensor again = farthest_anchors(shuffled, mask_.gather(-1, order), 5);
   EXPECT_FALSE(torch::equal(again, anchors));

@@ -21,9 +21,9 @@ RandomScene reordered_objects(RandomScene scene, const Tensor& order) {
 /// Puts the same points in another order; anchors stay the same points.
 RandomScene reordered_points(RandomScene scene) {
   SceneBatch& b = scene.batch;
-  const Tensor order = (torch::rand(b.point_mask.sizes()) + b.point_mask.logical_not()).argsort(-1);  // valid first
+  const Tensor order = (torch::rand(b.point_mask.sizes()) + b.point_mask.logical_not()).argsort();  // valid first
   b.points_reference = gather_points(b.points_reference, order);
-  b.anchor_index = order.argsort(-1).gather(-1, b.anchor_index);
+  b.anchor_index = order.argsort().gather(-1, b.anchor_index);
   return scene;
 }
 
