@@ -3,19 +3,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Builds the package in a catkin workspace: build/catkin_ws of this repository, or --workspace DIR.
-#   scripts/build.sh [--workspace DIR] [--tests] [--install]
+#   scripts/build.sh [--workspace DIR] [--tests] [--install] [--benchmarks]
 # Afterwards: source <workspace>/devel/setup.bash
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 workspace=$root/build/catkin_ws
 targets=(all)
+options=()
 while [ $# -gt 0 ]; do
   case $1 in
     --workspace) workspace=$(realpath -m "$2"); shift ;;
     --tests) targets+=(tests) ;;
     --install) targets+=(install) ;;
-    *) echo "usage: $0 [--workspace DIR] [--tests] [--install]" >&2; exit 2 ;;
+    --benchmarks) options+=(-DRIGIDFORMER_BENCHMARKS=ON) ;;
+    *) echo "usage: $0 [--workspace DIR] [--tests] [--install] [--benchmarks]" >&2; exit 2 ;;
   esac
   shift
 done
@@ -43,4 +45,4 @@ done
 cd "$workspace"
 echo "build: $workspace, ${targets[*]}, $jobs jobs"
 catkin_make --use-ninja -j"$jobs" -DCMAKE_BUILD_TYPE=Release -DRIGIDFORMER_WERROR=ON \
-  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "${targets[@]}"
+  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "${options[@]}" "${targets[@]}"

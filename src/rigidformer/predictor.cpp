@@ -150,7 +150,7 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
 
 void Predictor::Impl::describe() {
   const TrainingFacts& facts = checkpoint.facts;
-  info.id = checkpoint.model->options.preset + "-" + checkpoint.sha256.substr(0, 8);
+  info.id = "rigidformer-" + checkpoint.model->options.preset;
   info.sha256 = checkpoint.sha256;
   info.device = device.str();
   info.precision = options.precision;

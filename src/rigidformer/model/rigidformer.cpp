@@ -19,6 +19,12 @@ Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
   return torch::cat({s, s.square(), c}, -1);
 }
 
+/// One Newton step towards the nearest rotation. Products of rotations alone would let rounding errors grow
+/// exponentially: each step multiplies them by 1 + sqrt(2).
+Tensor orthonormalized(const Tensor& R) {
+  return 1.5 * R - 0.5 * torch::matmul(R, torch::matmul(R.transpose(-1, -2), R));
+}
+
 }  // namespace
 
 RigidFormerImpl::RigidFormerImpl(const ModelOptions& model_options) : options(model_options) {
@@ -92,7 +98,7 @@ SceneState advance(const SceneBatch& batch, const SceneState& state, const Pose&
   const Tensor spin = torch::matmul(state.current.rotation, state.previous.rotation.transpose(-1, -2));
   const Tensor step = (state.current.translation - state.previous.translation).unsqueeze(-1);
   const Tensor given_translation = state.current.translation + torch::matmul(spin, step).squeeze(-1);
-  const Tensor given_rotation = torch::matmul(spin, state.current.rotation);
+  const Tensor given_rotation = orthonormalized(torch::matmul(spin, state.current.rotation));
 
   const Tensor predicted = batch.dynamic_mask.unsqueeze(-1);
   SceneState after = state;

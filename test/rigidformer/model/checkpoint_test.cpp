@@ -186,8 +186,8 @@ TEST_F(CheckpointTest, WrongTensorsAreRefusedByName) {
 
 TEST_F(CheckpointTest, SummaryNamesPartsAndFacts) {
   const std::string text = summarize_checkpoint(path_);
-  for (const std::string word : {std::string("movi_a 12"), std::string("decoder"), std::string("predictor"),
-                                 load_checkpoint(path_).sha256, std::to_string(count_parameters(*model_))}) {
+  for (const std::string& word : {std::string("movi_a 12"), std::string("decoder"), std::string("predictor"),
+                                  load_checkpoint(path_).sha256, std::to_string(count_parameters(*model_))}) {
     EXPECT_NE(text.find(word), std::string::npos) << word << '\n' << text;
   }
   EXPECT_NE(summarize_preset("tiny").find("encoder"), std::string::npos);

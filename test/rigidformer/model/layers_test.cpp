@@ -119,7 +119,7 @@ TEST_F(LayersTest, GradientsOfAttention) {
     ModelOptions options = miniature();
     options.gated_attention = gated;
     GatedAttention attention = prepared(GatedAttention(options));
-    const auto f = [&] { return attention({query, Tensor(), query_angles}, {key, mask, key_angles}); };
+    const auto f = [&] { return attention->forward({query, Tensor(), query_angles}, {key, mask, key_angles}); };
     EXPECT_LT(module_gradient_error(attention, {query, key, query_angles, key_angles}, f), kGradientTolerance);
   }
 }
@@ -157,7 +157,8 @@ TEST_F(LayersTest, GatedAttentionFollowsItsFormula) {
   }
   const Tensor gate = torch::sigmoid(attention->to_gate(query));
   const Tensor expected = torch::matmul(gate * torch::cat(heads, -1), attention->to_output->weight.t());
-  EXPECT_LT(largest_difference(attention({query, Tensor(), Tensor()}, {key, Tensor(), Tensor()}), expected), kExact);
+  EXPECT_LT(largest_difference(attention->forward({query, Tensor(), Tensor()}, {key, Tensor(), Tensor()}), expected),
+            kExact);
 }
 
 TEST_F(LayersTest, MaskedKeysHaveNoInfluence) {

@@ -123,7 +123,7 @@ TEST(ContactGate, IsSymmetricAndIgnoresPadding) {
   torch::manual_seed(8);
   int open = 0;
   for (int i = 0; i < 200; ++i) {
-    Spheres pair(2.0 * torch::randn({2, 3}, kWide), torch::randn({2, 3}, kWide));
+    Spheres pair(torch::randn({2, 3}, kWide), torch::randn({2, 3}, kWide));
     const std::vector<bool> gate = pair.gate(0.1);
     EXPECT_EQ(gate[0], gate[1]);
     open += gate[0];
@@ -179,6 +179,17 @@ TEST(Advance, PredictedPosesMoveDynamicObjectsAndTwistsMoveTheOthers) {
             1e-12);
 }
 
+TEST(Advance, GivenMotionsStayRigidOverLongRollouts) {
+  RandomScene scene = random_scene(5, {{8, 8}}, 4, 0, torch::kFloat32);
+  scene.batch.dynamic_mask.fill_(false);
+  scene.state.previous.rotation.select(1, 1).copy_(scene.state.current.rotation.select(1, 1));
+  SceneState state = scene.state;
+  for (int step = 0; step < 200; ++step) state = advance(scene.batch, state, state.current);
+  const Tensor R = state.current.rotation;
+  EXPECT_LT(largest_difference(torch::matmul(R.transpose(-1, -2), R), torch::eye(3).expand_as(R)), 1e-5);
+  EXPECT_LT(largest_difference(R[0][1], scene.state.current.rotation[0][1]), 1e-3);  // did not turn
+}
+
 TEST(NearestByDistanceMatrix, MatchesBruteForce) {
   const RandomScene scene = random_scene(6, {{20, 9, 16}, {12, 17}, {6}}, 4, 0, torch::kFloat32);
   const Tensor x = scene.state.current.apply(scene.batch.points_reference);
@@ -216,7 +227,9 @@ TEST(VertexFeatures, PaperFormHasTwelveChannels) {
     const double to_object = distance[i].min().item<double>(), height = x[0][0][i][2].item<double>();
     const Tensor d = h[0][0][i].slice(0, 0, 3);
     EXPECT_NEAR(d.norm().item<double>(), std::min(to_object, std::abs(height)), 1e-9);
-    if (std::abs(height) < to_object) EXPECT_LT(largest_difference(d, vec3(0.0, 0.0, -height)), 1e-12);
+    if (std::abs(height) < to_object) {
+      EXPECT_LT(largest_difference(d, vec3(0.0, 0.0, -height)), 1e-12);
+    }
   }
 }
 

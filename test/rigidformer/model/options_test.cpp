@@ -115,7 +115,9 @@ TEST(ModelOptionsTest, JsonRoundTripIsLossless) {
     const std::string before = to_json(options);
     change(options);
     EXPECT_EQ(to_json(model_options_from_json(to_json(options))), to_json(options));
-    if (name != "nothing") EXPECT_NE(to_json(options), before);
+    if (name != "nothing") {
+      EXPECT_NE(to_json(options), before);
+    }
   }
   for (const std::string& name : encoding_names()) {
     EXPECT_EQ(to_string(position_encoding_from_string(name)), name);

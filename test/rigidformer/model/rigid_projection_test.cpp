@@ -12,7 +12,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kGradientTolerance = 1e-6;
+constexpr double kFiniteDifferenceTolerance = 1e-6;
 
 Tensor random_rotation() { return special_procrustes(torch::randn({3, 3}, torch::kFloat64)); }
 
@@ -38,7 +38,7 @@ class RigidProjectionTest : public ::testing::Test {
 
   void expect_gradient(const Tensor& H) {
     const Tensor leaf = H.detach().clone().set_requires_grad(true);
-    EXPECT_LT(gradient_error([&] { return special_procrustes(leaf); }, {leaf}), kGradientTolerance) << H;
+    EXPECT_LT(gradient_error([&] { return special_procrustes(leaf); }, {leaf}), kFiniteDifferenceTolerance) << H;
   }
 };
 
@@ -123,7 +123,7 @@ TEST_F(RigidProjectionTest, GradientOfAlignment) {
     const Pose pose = align_rigidly(source, target);
     return torch::cat({pose.rotation.flatten(), pose.translation.flatten()});
   };
-  EXPECT_LT(gradient_error(f, {source, target}), kGradientTolerance);
+  EXPECT_LT(gradient_error(f, {source, target}), kFiniteDifferenceTolerance);
 }
 
 TEST_F(RigidProjectionTest, AlignmentCanBeAConstant) {

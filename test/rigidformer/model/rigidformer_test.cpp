@@ -9,7 +9,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kExact = 1e-9;    // float64, other order of summation
+constexpr double kSameToRounding = 1e-9;    // float64, other order of summation
 constexpr double kVisible = 1e-4;  // a difference that a broken property would show
 const std::vector<std::vector<int64_t>> kMixedScenes = {{20, 9, 16}, {12, 17}};
 
@@ -65,7 +65,7 @@ Tensor network_share(const ModelOptions& options, const RandomScene& scene, cons
   return prediction.anchors_raw - base.apply(scene.batch.anchors_reference());
 }
 
-void expect_same(const StepPrediction& a, const StepPrediction& b, double tolerance = kExact) {
+void expect_same(const StepPrediction& a, const StepPrediction& b, double tolerance = kSameToRounding) {
   EXPECT_LT(largest_difference(a.anchors_raw, b.anchors_raw), tolerance);
   EXPECT_LT(largest_difference(a.pose.translation, b.pose.translation), tolerance);
   EXPECT_LT(largest_difference(a.pose.rotation, b.pose.rotation), tolerance);
@@ -121,11 +121,11 @@ TEST(RigidFormerTest, ReindexedAnchorsGiveTheSamePose) {
       expected.anchors_raw = expected.anchors_raw.index_select(2, order);
       const StepPrediction actual = predict(model, reindexed);
       const Tensor valid = scene.batch.object_mask.unsqueeze(-1).to(torch::kFloat64);
-      EXPECT_LT(largest_difference(actual.anchors_raw, expected.anchors_raw), kExact);
-      EXPECT_LT(largest_difference(actual.pose.translation * valid, expected.pose.translation * valid), kExact);
+      EXPECT_LT(largest_difference(actual.anchors_raw, expected.anchors_raw), kSameToRounding);
+      EXPECT_LT(largest_difference(actual.pose.translation * valid, expected.pose.translation * valid), kSameToRounding);
       EXPECT_LT(
           largest_difference(actual.pose.rotation * valid.unsqueeze(-1), expected.pose.rotation * valid.unsqueeze(-1)),
-          kExact);
+          kSameToRounding);
     }
   }
 }
@@ -157,10 +157,10 @@ TEST(RigidFormerTest, PaddedPointsAndObjectsChangeNothing) {
         *tensor = tensor->slice(1, 0, 3);
       }
       const Tensor valid = scene.batch.object_mask;
-      EXPECT_LT(largest_difference(actual.anchors_raw.index({valid}), expected.anchors_raw.index({valid})), kExact);
-      EXPECT_LT(largest_difference(actual.pose.rotation.index({valid}), expected.pose.rotation.index({valid})), kExact);
+      EXPECT_LT(largest_difference(actual.anchors_raw.index({valid}), expected.anchors_raw.index({valid})), kSameToRounding);
+      EXPECT_LT(largest_difference(actual.pose.rotation.index({valid}), expected.pose.rotation.index({valid})), kSameToRounding);
       EXPECT_LT(largest_difference(actual.pose.translation.index({valid}), expected.pose.translation.index({valid})),
-                kExact);
+                kSameToRounding);
     }
   }
 }
