@@ -28,10 +28,11 @@ install(TARGETS ${programs} ${libraries}
   RUNTIME DESTINATION ${bin_dir}
   LIBRARY DESTINATION ${lib_dir}
   ARCHIVE DESTINATION ${lib_dir})
-install(DIRECTORY config models DESTINATION ${share_dir})
+# From the real folders: in a workspace of links CMake would install the links.
+install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/config ${RIGIDFORMER_SOURCE_DIR}/models DESTINATION ${share_dir})
 if(RIGIDFORMER_ROS)
-  install(DIRECTORY include/ DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
-  install(DIRECTORY launch DESTINATION ${share_dir})
+  install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/ DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/launch DESTINATION ${share_dir})
 else()
-  install(DIRECTORY include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
 endif()
