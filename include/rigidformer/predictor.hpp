@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "rigidformer/scene/object.hpp"
+#include "rigidformer/scene/rollout_options.hpp"
 
 namespace rigidformer {
 
@@ -20,14 +20,6 @@ struct PredictorOptions {
   int num_threads = 1;                ///< CPU threads for tensor operations
   int max_points = 256;               ///< Points per object the network looks at; larger clouds are thinned evenly
   int warmup_runs = 2;                ///< Dummy predictions made by warm_up()
-};
-
-/// The scene-wide settings of one rollout.
-struct RolloutOptions {
-  int num_steps = 10;                 ///< >= 1
-  double time_step_s = 10.0 / 240.0;  ///< Must lie in the model's trained range
-  double gravity = -10.0;  ///< Vertical acceleration [m/s^2]; only models with inertial base motion can change it
-  std::optional<double> ground_height_m = 0.0;  ///< Height of the ground plane z = h; empty = no ground
 };
 
 /// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; index 0 is the

@@ -12,10 +12,10 @@
 
 namespace rigidformer_ros::testing {
 
-/// The same irregular cloud of about half a metre every time, with its centroid in the origin.
+/// The same irregular cloud of about a metre (the size the shipped model knows) every time, centroid in the origin.
 inline Points blob(int count = 30, unsigned seed = 7) {
   std::mt19937 generator(seed);
-  std::uniform_real_distribution<float> coordinate(-0.25F, 0.25F);
+  std::uniform_real_distribution<float> coordinate(-0.5F, 0.5F);
   Points points = Points::NullaryExpr(count, 3, [&] { return coordinate(generator); });
   if (count > 0) {
     points.rowwise() -= points.colwise().mean().eval();

@@ -6,8 +6,8 @@
 
 #include "rigidformer/model/batch.hpp"
 #include "rigidformer/model/options.hpp"
-#include "rigidformer/predictor.hpp"
 #include "rigidformer/scene/object.hpp"
+#include "rigidformer/scene/rollout_options.hpp"
 
 namespace rigidformer {
 

@@ -136,7 +136,7 @@ void read_optimizer(Section section, OptimizerOptions& optimizer) {
 }
 
 void read_unroll(const YAML::Node& node, std::vector<UnrollStage>& unroll) {
-  if (!node) return;
+  if (!node || node.IsNull()) return;
   unroll.clear();
   for (const YAML::Node& entry : node) {
     Section section(entry, "unroll[].");

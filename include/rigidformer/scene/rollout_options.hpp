@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+namespace rigidformer {
+
+/// The scene-wide settings of one rollout.
+struct RolloutOptions {
+  int num_steps = 10;                 ///< >= 1
+  double time_step_s = 10.0 / 240.0;  ///< Must lie in the model's trained range
+  double gravity = -10.0;  ///< Vertical acceleration [m/s^2]; only models with inertial base motion can change it
+  std::optional<double> ground_height_m = 0.0;  ///< Height of the ground plane z = h; empty = no ground
+};
+
+}  // namespace rigidformer
