@@ -9,8 +9,8 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kSameToRounding = 1e-9;    // float64, other order of summation
-constexpr double kVisible = 1e-4;  // a difference that a broken property would show
+constexpr double kSameToRounding = 1e-9;  // float64, other order of summation
+constexpr double kVisible = 1e-4;         // a difference that a broken property would show
 const std::vector<std::vector<int64_t>> kMixedScenes = {{20, 9, 16}, {12, 17}};
 
 RandomScene reordered_objects(RandomScene scene, const Tensor& order) {
@@ -122,7 +122,8 @@ TEST(RigidFormerTest, ReindexedAnchorsGiveTheSamePose) {
       const StepPrediction actual = predict(model, reindexed);
       const Tensor valid = scene.batch.object_mask.unsqueeze(-1).to(torch::kFloat64);
       EXPECT_LT(largest_difference(actual.anchors_raw, expected.anchors_raw), kSameToRounding);
-      EXPECT_LT(largest_difference(actual.pose.translation * valid, expected.pose.translation * valid), kSameToRounding);
+      EXPECT_LT(largest_difference(actual.pose.translation * valid, expected.pose.translation * valid),
+                kSameToRounding);
       EXPECT_LT(
           largest_difference(actual.pose.rotation * valid.unsqueeze(-1), expected.pose.rotation * valid.unsqueeze(-1)),
           kSameToRounding);
@@ -157,8 +158,10 @@ TEST(RigidFormerTest, PaddedPointsAndObjectsChangeNothing) {
         *tensor = tensor->slice(1, 0, 3);
       }
       const Tensor valid = scene.batch.object_mask;
-      EXPECT_LT(largest_difference(actual.anchors_raw.index({valid}), expected.anchors_raw.index({valid})), kSameToRounding);
-      EXPECT_LT(largest_difference(actual.pose.rotation.index({valid}), expected.pose.rotation.index({valid})), kSameToRounding);
+      EXPECT_LT(largest_difference(actual.anchors_raw.index({valid}), expected.anchors_raw.index({valid})),
+                kSameToRounding);
+      EXPECT_LT(largest_difference(actual.pose.rotation.index({valid}), expected.pose.rotation.index({valid})),
+                kSameToRounding);
       EXPECT_LT(largest_difference(actual.pose.translation.index({valid}), expected.pose.translation.index({valid})),
                 kSameToRounding);
     }

@@ -36,16 +36,23 @@ class QuietTerminal {
   std::streambuf* terminal_;
 };
 
+#ifdef RIGIDFORMER_HAS_SIMULATION
+SceneArchive simulated_scenes() {
+  SceneArchive archive;
+  archive.set = "movi_a";
+  archive.shapes = movi_shapes(MoviSet::kA, builtin_shapes());
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    archive.scenes.push_back(generate_movi_scene(MoviSet::kA, archive.shapes, 17, i, {}));
+  }
+  return archive;
+}
+#endif
+
 class TrainerTest : public ::testing::Test {
  protected:
   void SetUp() override {
 #ifdef RIGIDFORMER_HAS_SIMULATION
-    SceneArchive archive;
-    archive.set = "movi_a";
-    archive.shapes = movi_shapes(MoviSet::kA, builtin_shapes());
-    for (std::uint64_t i = 0; i < 3; ++i) {
-      archive.scenes.push_back(generate_movi_scene(MoviSet::kA, archive.shapes, 17, i, {}));
-    }
+    static const SceneArchive archive = simulated_scenes();
     write_scene_archive(data_, archive);
     options_ = load_training_options(kConfigFile);
     options_.iterations = kIterations;
@@ -77,6 +84,8 @@ class TrainerTest : public ::testing::Test {
 };
 
 TEST_F(TrainerTest, ThirtyIterationsLowerTheLoss) {
+  options_.optimizer.learning_rate = 1e-2;
+  options_.optimizer.ema_decay = 0.0;
   ASSERT_EQ(run("start", 1e-9), 0);
   ASSERT_EQ(run("end"), kIterations);
   const TrainingData data = load_training_data(paths("any"), options_, torch::kCPU);
