@@ -203,6 +203,21 @@ TEST(ModelOptionsTest, EveryPositionEncodingLearns) {
   }
 }
 
+TEST(ModelOptionsTest, BoxesAndAxesOfSymmetricCloudsHaveFiniteGradients) {
+  RandomScene scene = random_scene(3, {{8}}, 4, 0, torch::kFloat32);
+  const Tensor corners = (torch::arange(8, torch::kInt64).unsqueeze(-1).bitwise_and(torch::tensor({1, 2, 4})) > 0);
+  const Tensor cube = (corners.to(torch::kFloat32) - 0.5).view({1, 1, 8, 3}).set_requires_grad(true);
+  for (const char* name : {"obb", "pca"}) {
+    ModelOptions options = model_preset("tiny");
+    options.position_encoding = position_encoding_from_string(name);
+    TokenPositionEncoder encoder(options);
+    const Tensor anchors = gather_points(cube, scene.batch.anchor_index);
+    const Tensor embedding = encoder(scene.batch, scene.state.current, cube, anchors).object_embedding;
+    const Tensor gradient = torch::autograd::grad({embedding.sum()}, {cube})[0];
+    EXPECT_TRUE(torch::isfinite(gradient).all().item<bool>()) << name;
+  }
+}
+
 TEST(ModelOptionsTest, EveryOptionLearns) {
   for (const auto& [name, change] : changes()) {
     SCOPED_TRACE(name);
