@@ -13,6 +13,15 @@ if(NOT Torch_FOUND)
                  "Install libtorch-dev or add a LibTorch folder to CMAKE_PREFIX_PATH.")
 endif()
 
+# Gloo's headers come apart from LibTorch's; without them training is one process.
+find_path(GLOO_INCLUDE_DIR gloo/algorithm.h HINTS ${TORCH_INCLUDE_DIRS})
+set(gloo_found OFF)
+if(Torch_FOUND AND GLOO_INCLUDE_DIR)
+  set(gloo_found ON)
+endif()
+option(RIGIDFORMER_DISTRIBUTED "Train over several processes with c10d" ${gloo_found})
+option(RIGIDFORMER_NCCL "NCCL between GPUs, for a LibTorch with CUDA and nccl.h" OFF)
+
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(nlohmann_json 3.9 REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
@@ -24,5 +33,29 @@ find_package(benchmark QUIET)
 
 find_package(Bullet QUIET)
 if(NOT BULLET_FOUND)
-  message(STATUS "${PROJECT_NAME}: Bullet not found. Scene generation is NOT built (install libbullet-dev).")
+  message(STATUS "${PROJECT_NAME}: Bullet not found. Scene generation and physics baselines are NOT built (install libbullet-dev).")
+endif()
+
+# Not its CMake package: that of Debian names a folder that need not be there.
+find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h)
+find_library(MUJOCO_LIBRARY mujoco)
+set(MUJOCO_FOUND OFF)
+if(MUJOCO_INCLUDE_DIR AND MUJOCO_LIBRARY)
+  set(MUJOCO_FOUND ON)
+else()
+  message(STATUS "${PROJECT_NAME}: MuJoCo not found. `evaluate --baselines mujoco` is NOT built (install "
+                 "libmujoco-dev).")
+endif()
+
+# For the convex parts of a cloud: Delaunay tetrahedra and HACD (part of Bullet's extras).
+find_path(QHULL_INCLUDE_DIR libqhull_r/qhull_ra.h)
+find_library(QHULL_LIBRARY qhull_r)
+find_path(HACD_INCLUDE_DIR HACD/hacdHACD.h PATH_SUFFIXES bullet)
+find_library(HACD_LIBRARY HACD)
+set(CONVEX_PARTS_FOUND OFF)
+if(QHULL_INCLUDE_DIR AND QHULL_LIBRARY AND HACD_INCLUDE_DIR AND HACD_LIBRARY)
+  set(CONVEX_PARTS_FOUND ON)
+else()
+  message(STATUS "${PROJECT_NAME}: Qhull or HACD not found. `evaluate --baselines bullet_parts` is NOT built (install "
+                 "libqhull-dev and libbullet-extras-dev).")
 endif()

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks who includes whom: a layer of the core may include itself and the layers before it, and the heavy libraries
-(ROS, PCL, Bullet, LibTorch) appear only where ALLOWED says.  layering_test.py [JUNIT_XML]"""
+(ROS, PCL, Bullet, MuJoCo, Qhull, LibTorch) appear only where ALLOWED says.  layering_test.py [JUNIT_XML]"""
 import pathlib
 import re
 import sys
@@ -13,19 +13,24 @@ import xml.etree.ElementTree as ElementTree
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # From the lowest layer to the highest. `predictor` is the pair of files predictor.hpp and predictor.cpp.
-LAYERS = ['io', 'geometry', 'scene', 'model', 'predictor', 'data', 'windows', 'simulation', 'training', 'evaluation']
+LAYERS = ['io', 'geometry', 'scene', 'model', 'predictor', 'data', 'windows', 'simulation', 'training', 'evaluation',
+          'baselines']
 
 LIBRARIES = {
     'ROS': re.compile(r'(ros|tf2?|tf2_\w+|\w+_msgs|std_srvs|message_filters|nodelet|pluginlib|dynamic_reconfigure|'
                       r'actionlib|diagnostic_updater|rigidformer_ros)/'),
     'PCL': re.compile(r'(pcl|pcl_\w+)/'),
-    'Bullet': re.compile(r'(bullet/)?((LinearMath|BulletCollision|BulletDynamics|BulletSoftBody)/|bt[A-Z])'),
+    'Bullet': re.compile(r'(bullet/)?((LinearMath|BulletCollision|BulletDynamics|BulletSoftBody|HACD)/|bt[A-Z])'),
+    'MuJoCo': re.compile(r'mujoco/'),
+    'Qhull': re.compile(r'libqhull\w*/'),
     'LibTorch': re.compile(r'(torch|ATen|c10)/'),
 }
 
 # Which layers may use a library, in headers and in sources.
 ALLOWED = {
-    'Bullet': {'include': {'simulation'}, 'src': {'simulation'}},
+    'Bullet': {'include': {'simulation'}, 'src': {'simulation', 'baselines'}},
+    'MuJoCo': {'include': set(), 'src': {'baselines'}},
+    'Qhull': {'include': set(), 'src': {'baselines'}},
     'LibTorch': {'include': {'model', 'windows', 'training'},
                  'src': {'model', 'windows', 'training', 'evaluation', 'predictor'}},
 }
@@ -70,7 +75,7 @@ def violations(root):
             found += check_file(path, layer, kind) if layer in LAYERS else [f'{path}: unknown layer {layer}']
         for path in sources(root / kind / 'rigidformer_ros'):
             for include in INCLUDE.findall(path.read_text(encoding='utf-8')):
-                if library_of(include) in ('LibTorch', 'Bullet'):
+                if library_of(include) in ('LibTorch', 'Bullet', 'MuJoCo', 'Qhull'):
                     found.append(f'{path}: the ROS layer includes <{include}> of {library_of(include)}')
     return found
 
@@ -101,6 +106,12 @@ class Planted(unittest.TestCase):
                 ('src/rigidformer/data/a.cpp', '#include <btBulletDynamicsCommon.h>'),
                 ('src/rigidformer/data/a.cpp', '#include <bullet/LinearMath/btVector3.h>'),
                 ('src/rigidformer/data/a.cpp', '#include <torch/torch.h>'),
+                ('src/rigidformer/simulation/a.cpp', '#include <mujoco/mujoco.h>'),
+                ('include/rigidformer/baselines/a.hpp', '#include <mujoco/mjmodel.h>'),
+                ('include/rigidformer/baselines/a.hpp', '#include <btBulletDynamicsCommon.h>'),
+                ('src/rigidformer/simulation/a.cpp', '#include <libqhull_r/qhull_ra.h>'),
+                ('src/rigidformer/evaluation/a.cpp', '#include <HACD/hacdHACD.h>'),
+                ('src/rigidformer/evaluation/a.cpp', '#include "rigidformer/baselines/a.hpp"'),
                 ('src/rigidformer/simulation/a.cpp', '#include <ATen/ATen.h>'),
                 ('include/rigidformer/predictor.hpp', '#include <torch/types.h>'),
                 ('include/rigidformer/evaluation/a.hpp', '#include <c10/util/Half.h>'),
@@ -116,6 +127,8 @@ class Planted(unittest.TestCase):
     def test_allowed(self):
         for path, include in [
                 ('src/rigidformer/simulation/a.cpp', '#include <btBulletDynamicsCommon.h>'),
+                ('src/rigidformer/baselines/a.cpp', '#include <btBulletDynamicsCommon.h>'),
+                ('src/rigidformer/baselines/a.cpp', '#include <mujoco/mujoco.h>'),
                 ('src/rigidformer/predictor.cpp', '#include <torch/torch.h>'),
                 ('include/rigidformer/model/a.hpp', '#include <torch/nn.h>'),
                 ('src/rigidformer/evaluation/a.cpp', '#include "rigidformer/predictor.hpp"'),

@@ -19,6 +19,7 @@ struct ProtocolOptions {
   std::vector<int> steps{1, 5, 10};        ///< Time step of the rollout
   std::vector<int> horizons{50, 75, 100};  ///< Scored at frame S + horizon
   int max_scenes = 0;                      ///< Only the first ones; 0 = all
+  int curve_frames = 0;  ///< Rolls out up to here for the errors after every step, as far as a recording goes
   ObservationOptions observation;
 
   /// Throws std::invalid_argument naming field and value, also when a horizon is shorter than a step.
@@ -37,6 +38,22 @@ struct Score {
   double compute_s_per_predicted_s = 0.0;  ///< Wall time of the forecaster per second of predicted motion
 };
 
+/// How one rollout of one scene went.
+struct SceneResult {
+  std::string model;
+  std::string set;
+  int start = 0;
+  int step = 0;
+  const SceneRecording* scene = nullptr;                  ///< Never null
+  std::vector<PoseError> at_horizon;                      ///< Of the scene, in the order of the horizons
+  std::vector<std::vector<PoseError>> object_at_horizon;  ///< [horizon][object]: distance and angle of one object
+  std::vector<PoseError> after_step;  ///< Of the scene, k steps after the second given frame; only with curve_frames
+  std::vector<std::vector<RigidTransform>> predicted;  ///< [object][k]
+};
+
+/// Called after every rollout; the result lives no longer than the call.
+using ResultSink = std::function<void(const SceneResult&)>;
+
 /// Called after every scene with the rollout steps made so far and in all.
 using EvaluationProgress = std::function<void(long done, long total)>;
 
@@ -44,6 +61,7 @@ using EvaluationProgress = std::function<void(long done, long total)>;
 /// the order start, step, forecaster, horizon. Throws std::invalid_argument for invalid options, no scenes or a scene
 /// that is too short.
 std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
-                            const ProtocolOptions& options, const EvaluationProgress& progress = {});
+                            const ProtocolOptions& options, const EvaluationProgress& progress = {},
+                            const ResultSink& sink = {});
 
 }  // namespace rigidformer

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +36,30 @@ struct TensorFile {
 /// Writes to a temporary file and renames it, so that a crash never leaves half a file. Throws std::runtime_error.
 void write_tensor_file(const std::filesystem::path& path, const TensorFile& file);
 
-/// Throws std::runtime_error naming path and defect: missing, truncated, foreign, oversized header, wrong hash.
+struct NamedTensor {
+  std::string name;
+  RawTensor tensor;
+};
+
+/// Reads tensor by tensor, so that a large file need not be in memory as a whole. All errors are std::runtime_error
+/// naming path and defect: missing, truncated, foreign, oversized header, and at the end of the data a wrong hash.
+class TensorFileReader {
+ public:
+  explicit TensorFileReader(const std::filesystem::path& path);
+  ~TensorFileReader();
+
+  const std::map<std::string, std::string>& metadata() const;
+
+  /// The next tensor in the order of the file. Empty after the last one, when the hash was right; nothing that was read
+  /// may be trusted before that.
+  std::optional<NamedTensor> next();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The whole file at once; throws as the reader does.
 TensorFile read_tensor_file(const std::filesystem::path& path);
 
 /// SHA-256 in lower-case hex stored in the metadata of `file`; empty unless the file was read from disk.

@@ -20,6 +20,9 @@ class FlatAdamW {
 
   void zero_gradient();
 
+  /// All gradients as one tensor, for a sum over processes.
+  Tensor& gradient() { return gradient_; }
+
   /// One update with the current gradient; a non-finite gradient counts as zero. Returns the gradient norm before
   /// clipping (a tensor, so that nothing waits for the device).
   Tensor step(double learning_rate);

@@ -49,7 +49,8 @@ struct TrainingOptions {
   OptimizerOptions optimizer;
   std::vector<UnrollStage> unroll = {{0.0, 1}};
   std::int64_t iterations = 1000;
-  int batch_size = 18;  ///< Windows per step
+  int batch_size = 18;    ///< Windows per micro-batch
+  int micro_batches = 1;  ///< Per iteration, over all processes: their gradients are averaged
   std::uint64_t seed = 0;
   std::string precision = "float32";  ///< Of the activations: float32 | bfloat16
   int log_every = 50;                 ///< Iterations between log lines

@@ -44,6 +44,15 @@ Poses recorded_at(const SceneRecording& scene, int frame) {
   return poses;
 }
 
+/// The same error for every object on its own.
+std::vector<PoseError> object_errors(const Poses& predicted, const Poses& truth) {
+  std::vector<PoseError> errors;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    errors.push_back(scene_error({predicted[i]}, {truth[i]}));
+  }
+  return errors;
+}
+
 /// All scenes of one set, rolled out by one forecaster from one start with one step size.
 class Round {
  public:
@@ -54,19 +63,31 @@ class Round {
 
   int num_steps() const { return num_steps_; }
 
-  void add_scene(const SceneRecording& scene, const std::vector<ObjectState>& objects, Forecaster& forecaster) {
+  SceneResult add_scene(const std::string& set, const SceneRecording& scene, const std::vector<ObjectState>& objects,
+                        Forecaster& forecaster) {
+    const int curve_steps = steps_of_curve(scene);
     RolloutOptions rollout;
-    rollout.num_steps = num_steps_;
+    rollout.num_steps = std::max(num_steps_, curve_steps);
     rollout.time_step_s = step_ / scene.frame_rate_hz;
     rollout.gravity = scene.gravity.z();
+    SceneResult result{forecaster.name(), set, start_, step_, &scene, {}, {}, {}, {}};
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<Poses> predicted = forecaster.forecast(objects, rollout);
+    result.predicted = forecaster.forecast(objects, rollout);
     compute_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    predicted_s_ += num_steps_ * rollout.time_step_s;
+    predicted_s_ += rollout.num_steps * rollout.time_step_s;
     for (std::size_t h = 0; h < options_.horizons.size(); ++h) {
-      const int horizon = options_.horizons[h];
-      errors_[h].push_back(scene_error(predicted_at(predicted, horizon, step_), recorded_at(scene, start_ + horizon)));
+      const Poses predicted = predicted_at(result.predicted, options_.horizons[h], step_);
+      const Poses truth = recorded_at(scene, start_ + options_.horizons[h]);
+      result.at_horizon.push_back(scene_error(predicted, truth));
+      result.object_at_horizon.push_back(object_errors(predicted, truth));
+      errors_[h].push_back(result.at_horizon.back());
     }
+    for (int k = 0; options_.curve_frames > 0 && k <= curve_steps; ++k) {
+      const int horizon = step_ * (k + 1);
+      result.after_step.push_back(
+          scene_error(predicted_at(result.predicted, horizon, step_), recorded_at(scene, start_ + horizon)));
+    }
+    return result;
   }
 
   void append_scores(const std::string& model, const std::string& set, std::vector<Score>& scores) const {
@@ -77,6 +98,12 @@ class Round {
   }
 
  private:
+  /// Whole steps after the second given frame that end inside the curve and inside the recording.
+  int steps_of_curve(const SceneRecording& scene) const {
+    const int last_frame = std::min(options_.curve_frames, scene.num_frames - 1 - start_);
+    return std::max(0, last_frame / step_ - 1);
+  }
+
   const ProtocolOptions& options_;
   int start_, step_, num_steps_ = 0;
   std::vector<std::vector<PoseError>> errors_;  ///< [horizon][scene]
@@ -107,11 +134,13 @@ void ProtocolOptions::validate() const {
   require_each(steps, "steps", 1);
   require_each(horizons, "horizons", *std::max_element(steps.begin(), steps.end()));
   require(max_scenes >= 0, "max_scenes is " + std::to_string(max_scenes) + ", must not be negative");
+  require(curve_frames >= 0, "curve_frames is " + std::to_string(curve_frames) + ", must not be negative");
   observation.validate();
 }
 
 std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
-                            const ProtocolOptions& options, const EvaluationProgress& progress) {
+                            const ProtocolOptions& options, const EvaluationProgress& progress,
+                            const ResultSink& sink) {
   options.validate();
   const std::vector<const SceneRecording*> scenes = scenes_to_score(archive, options);
   const Observer observer(archive.shapes, options.observation);
@@ -128,8 +157,11 @@ std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forec
       for (const SceneRecording* scene : scenes) {
         const std::vector<ObjectState> objects = observer.observe(*scene, start + step, step);
         for (std::size_t f = 0; f < forecasters.size(); ++f) {
-          rounds[f].add_scene(*scene, objects, *forecasters[f]);
+          const SceneResult result = rounds[f].add_scene(archive.set, *scene, objects, *forecasters[f]);
           done += rounds[f].num_steps();
+          if (sink) {
+            sink(result);
+          }
         }
         if (progress) {
           progress(done, total);

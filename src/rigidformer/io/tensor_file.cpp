@@ -4,12 +4,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <tuple>
 
 #include "rigidformer/io/sha256.hpp"
 
@@ -57,27 +59,50 @@ std::uint64_t checked_num_elements(const std::filesystem::path& path, const std:
   return count;
 }
 
-RawTensor read_tensor(const std::filesystem::path& path, const std::string& name, const Json& entry,
-                      const std::vector<std::uint8_t>& data) {
-  RawTensor tensor;
-  const std::string dtype = entry.at("dtype").get<std::string>();
-  const TypeName* info = nullptr;
-  for (const TypeName& candidate : kTypes) {
-    if (dtype == candidate.name) info = &candidate;
+TensorType type_named(const std::filesystem::path& path, const std::string& tensor, const std::string& dtype) {
+  for (const TypeName& entry : kTypes) {
+    if (dtype == entry.name) return entry.type;
   }
-  if (info == nullptr) fail(path, "tensor '" + name + "' has unsupported type '" + dtype + "'");
-  tensor.type = info->type;
-  tensor.shape = entry.at("shape").get<std::vector<std::int64_t>>();
+  fail(path, "tensor '" + tensor + "' has unsupported type '" + dtype + "'");
+}
+
+/// Where a tensor lies in the data.
+struct Extent {
+  std::uint64_t begin, end;
+  std::string name;
+  RawTensor tensor;  ///< Without its bytes
+};
+
+Extent parse_extent(const std::filesystem::path& path, const std::string& name, const Json& entry) {
+  Extent extent{0, 0, name, {}};
+  extent.tensor.type = type_named(path, name, entry.at("dtype").get<std::string>());
+  extent.tensor.shape = entry.at("shape").get<std::vector<std::int64_t>>();
   const auto offsets = entry.at("data_offsets").get<std::vector<std::uint64_t>>();
-  if (offsets.size() != 2 || offsets[0] > offsets[1] || offsets[1] > data.size()) {
-    fail(path, "tensor '" + name + "' lies outside the file (truncated?)");
-  }
-  if (offsets[1] - offsets[0] != checked_num_elements(path, name, tensor.shape) * info->bytes) {
+  const std::uint64_t size = checked_num_elements(path, name, extent.tensor.shape) * size_in_bytes(extent.tensor.type);
+  if (offsets.size() != 2 || offsets[0] > offsets[1] || offsets[1] - offsets[0] != size) {
     fail(path, "tensor '" + name + "' has a size that does not fit its shape");
   }
-  tensor.bytes.assign(data.begin() + static_cast<std::ptrdiff_t>(offsets[0]),
-                      data.begin() + static_cast<std::ptrdiff_t>(offsets[1]));
-  return tensor;
+  extent.begin = offsets[0];
+  extent.end = offsets[1];
+  return extent;
+}
+
+/// The tensors in the order of their bytes, which they must fill without gap or overlap.
+std::vector<Extent> parse_extents(const std::filesystem::path& path, const Json& header, std::uint64_t data_size) {
+  std::vector<Extent> extents;
+  for (const auto& [name, entry] : header.items()) {
+    if (name != kMetadataKey) extents.push_back(parse_extent(path, name, entry));
+  }
+  std::sort(extents.begin(), extents.end(),
+            [](const Extent& a, const Extent& b) { return std::tie(a.begin, a.end) < std::tie(b.begin, b.end); });
+  std::uint64_t end = 0;
+  for (const Extent& extent : extents) {
+    if (extent.end > data_size) fail(path, "tensor '" + extent.name + "' lies outside the file (truncated?)");
+    if (extent.begin != end) fail(path, "tensor '" + extent.name + "' leaves a gap or overlaps another");
+    end = extent.end;
+  }
+  if (end != data_size) fail(path, std::to_string(data_size - end) + " bytes belong to no tensor");
+  return extents;
 }
 
 /// SHA-256 started on the header (hash left empty), so that an altered configuration is noticed too; data follows.
@@ -87,25 +112,6 @@ Sha256 start_hash(Json header) {
   Sha256 hash;
   hash.update(text.data(), text.size());
   return hash;
-}
-
-TensorFile parse(const std::filesystem::path& path, const Json& header, const std::vector<std::uint8_t>& data) {
-  TensorFile file;
-  for (const auto& [name, entry] : header.items()) {
-    if (name == kMetadataKey) {
-      file.metadata = entry.get<std::map<std::string, std::string>>();
-    } else {
-      file.tensors.emplace(name, read_tensor(path, name, entry, data));
-    }
-  }
-  const std::string stored = stored_sha256(file);
-  if (stored.empty()) fail(path, "no SHA-256 in the header: not written by rigidformer");
-  Sha256 hash = start_hash(header);
-  hash.update(data.data(), data.size());
-  const std::string actual = hash.finish();
-  if (stored != actual)
-    fail(path, "SHA-256 mismatch (stored " + stored + ", found " + actual + "): damaged or altered");
-  return file;
 }
 
 Json make_header(const TensorFile& file) {
@@ -167,28 +173,69 @@ void write_tensor_file(const std::filesystem::path& path, const TensorFile& file
   std::filesystem::rename(temporary, path);
 }
 
-TensorFile read_tensor_file(const std::filesystem::path& path) {
+struct TensorFileReader::Impl {
+  explicit Impl(const std::filesystem::path& file);
+
+  std::filesystem::path path;
+  std::ifstream in;
+  std::map<std::string, std::string> metadata;
+  std::vector<Extent> extents;
+  std::size_t next = 0;
+  std::string stored_hash;
+  Sha256 hash;
+};
+
+TensorFileReader::Impl::Impl(const std::filesystem::path& file) : path(file), in(file, std::ios::binary) {
   std::error_code error;
   const std::uintmax_t file_size = std::filesystem::file_size(path, error);
   if (error) fail(path, "cannot read: " + error.message());
-  std::ifstream in(path, std::ios::binary);
   std::uint64_t header_size = 0;
   if (!in.read(reinterpret_cast<char*>(&header_size), sizeof(header_size))) fail(path, "too short to be a tensor file");
   if (header_size > kMaxHeaderBytes || header_size > file_size - sizeof(header_size)) {
     fail(path, "header length " + std::to_string(header_size) + " is impossible: not a tensor file, or truncated");
   }
   std::string text(header_size, '\0');
-  std::vector<std::uint8_t> data(file_size - sizeof(header_size) - header_size);
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  in.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(data.size()));
-  if (!in) fail(path, "ends too early (truncated)");
+  if (!in.read(text.data(), static_cast<std::streamsize>(text.size()))) fail(path, "ends too early (truncated)");
   try {
     const Json header = Json::parse(text);
     if (!header.is_object()) fail(path, "header is not a JSON object");
-    return parse(path, header, data);
+    if (header.contains(kMetadataKey)) header.at(kMetadataKey).get_to(metadata);
+    extents = parse_extents(path, header, file_size - sizeof(header_size) - header_size);
+    stored_hash = metadata[kHashKey];
+    if (stored_hash.empty()) fail(path, "no SHA-256 in the header: not written by rigidformer");
+    hash = start_hash(header);
   } catch (const nlohmann::json::exception& exception) {
     fail(path, std::string("header is not valid: ") + exception.what());
   }
+}
+
+TensorFileReader::TensorFileReader(const std::filesystem::path& path) : impl_(std::make_unique<Impl>(path)) {}
+TensorFileReader::~TensorFileReader() = default;
+
+const std::map<std::string, std::string>& TensorFileReader::metadata() const { return impl_->metadata; }
+
+std::optional<NamedTensor> TensorFileReader::next() {
+  Impl& file = *impl_;
+  if (file.next == file.extents.size()) {
+    const std::string actual = file.hash.finish();
+    if (file.stored_hash == actual) return std::nullopt;
+    fail(file.path, "SHA-256 mismatch (stored " + file.stored_hash + ", found " + actual + "): damaged or altered");
+  }
+  Extent& extent = file.extents[file.next++];
+  std::vector<std::uint8_t>& bytes = extent.tensor.bytes;
+  bytes.resize(extent.end - extent.begin);
+  file.in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!file.in) fail(file.path, "ends too early (truncated)");
+  file.hash.update(bytes.data(), bytes.size());
+  return NamedTensor{std::move(extent.name), std::move(extent.tensor)};
+}
+
+TensorFile read_tensor_file(const std::filesystem::path& path) {
+  TensorFileReader reader(path);
+  TensorFile file;
+  file.metadata = reader.metadata();
+  while (auto entry = reader.next()) file.tensors.emplace(std::move(entry->name), std::move(entry->tensor));
+  return file;
 }
 
 }  // namespace rigidformer

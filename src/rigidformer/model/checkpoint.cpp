@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/checkpoint.hpp"
 
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <stdexcept>
 
 #include "rigidformer/model/tensor_conversion.hpp"
@@ -32,50 +32,54 @@ void visit_facts(Facts& f, Visitor&& visit) {
   visit("max_points", f.max_points);
 }
 
-const std::string& metadata(const TensorFile& file, const std::string& key) {
-  const auto entry = file.metadata.find(key);
-  if (entry == file.metadata.end()) throw std::runtime_error("no '" + key + "' in the header: not a RigidFormer model");
+using Metadata = std::map<std::string, std::string>;
+
+const std::string& value_of(const Metadata& metadata, const std::string& key) {
+  const auto entry = metadata.find(key);
+  if (entry == metadata.end()) throw std::runtime_error("no '" + key + "' in the header: not a RigidFormer model");
   return entry->second;
 }
 
-void load_parameter(const TensorFile& file, const std::string& name, Tensor& parameter) {
-  const auto entry = file.tensors.find(name);
-  if (entry == file.tensors.end()) throw std::runtime_error("tensor '" + name + "' is missing");
-  if (entry->second.shape != parameter.sizes().vec()) {
+/// A model of the stored options, still without its weights.
+Checkpoint parse_metadata(const Metadata& metadata) {
+  if (value_of(metadata, "format") != kFormat) throw std::runtime_error("not a RigidFormer model");
+  const std::string& version = value_of(metadata, "format_version");
+  if (version != kVersion) {
+    throw std::runtime_error("format version " + version + ", this program reads version " + kVersion);
+  }
+  Checkpoint checkpoint;
+  const Json facts = Json::parse(value_of(metadata, "training"));
+  visit_facts(checkpoint.facts,
+              [&](const char* name, auto& field) { field = facts.at(name).get<std::decay_t<decltype(field)>>(); });
+  checkpoint.model = RigidFormer(model_options_from_json(value_of(metadata, "model")));
+  checkpoint.sha256 = value_of(metadata, "sha256");
+  return checkpoint;
+}
+
+void load_parameter(const NamedTensor& entry, Tensor& parameter) {
+  if (entry.tensor.shape != parameter.sizes().vec()) {
     std::ostringstream message;
-    message << "tensor '" << name << "' has shape " << at::IntArrayRef(entry->second.shape) << ", the options ask for "
-            << parameter.sizes();
+    message << "tensor '" << entry.name << "' has shape " << at::IntArrayRef(entry.tensor.shape)
+            << ", the options ask for " << parameter.sizes();
     throw std::runtime_error(message.str());
   }
-  const Tensor value = from_raw(entry->second).to(torch::kFloat32);
+  const Tensor value = from_raw(entry.tensor).to(torch::kFloat32);
   if (!torch::isfinite(value).all().item<bool>()) {
-    throw std::runtime_error("tensor '" + name + "' holds values that are not finite");
+    throw std::runtime_error("tensor '" + entry.name + "' holds values that are not finite");
   }
   parameter.copy_(value);
 }
 
-Checkpoint parse(const TensorFile& file) {
-  if (metadata(file, "format") != kFormat) throw std::runtime_error("not a RigidFormer model");
-  if (metadata(file, "format_version") != kVersion) {
-    throw std::runtime_error("format version " + metadata(file, "format_version") + ", this program reads version " +
-                             kVersion);
-  }
-  Checkpoint checkpoint;
-  const Json facts = Json::parse(metadata(file, "training"));
-  visit_facts(checkpoint.facts,
-              [&](const char* name, auto& field) { field = facts.at(name).get<std::decay_t<decltype(field)>>(); });
-  checkpoint.model = RigidFormer(model_options_from_json(metadata(file, "model")));
+void load_parameters(TensorFileReader& reader, RigidFormer& model) {
   torch::NoGradGuard no_grad;
-  std::set<std::string> known;
-  for (auto& parameter : checkpoint.model->named_parameters()) {
-    load_parameter(file, parameter.key(), parameter.value());
-    known.insert(parameter.key());
+  std::map<std::string, Tensor> missing;
+  for (const auto& parameter : model->named_parameters()) missing.emplace(parameter.key(), parameter.value());
+  while (const auto entry = reader.next()) {
+    auto parameter = missing.extract(entry->name);
+    if (parameter.empty()) throw std::runtime_error("surplus tensor '" + entry->name + "'");
+    load_parameter(*entry, parameter.mapped());
   }
-  for (const auto& [name, tensor] : file.tensors) {
-    if (known.count(name) == 0) throw std::runtime_error("surplus tensor '" + name + "'");
-  }
-  checkpoint.sha256 = stored_sha256(file);
-  return checkpoint;
+  if (!missing.empty()) throw std::runtime_error("tensor '" + missing.begin()->first + "' is missing");
 }
 
 }  // namespace
@@ -96,9 +100,11 @@ void save_checkpoint(const std::filesystem::path& path, const RigidFormer& model
 }
 
 Checkpoint load_checkpoint(const std::filesystem::path& path) {
-  const TensorFile file = read_tensor_file(path);  // its errors name the path
   try {
-    return parse(file);
+    TensorFileReader reader(path);
+    Checkpoint checkpoint = parse_metadata(reader.metadata());
+    load_parameters(reader, checkpoint.model);
+    return checkpoint;
   } catch (const std::exception& exception) {
     throw std::runtime_error("model '" + path.string() + "': " + exception.what());
   }

@@ -181,6 +181,7 @@ void validate(const OptimizerOptions& o) {
 void validate(const TrainingOptions& o) {
   require(o.iterations > 0, "'iterations' must be positive");
   require(o.batch_size > 0, "'batch_size' must be positive");
+  require(o.micro_batches > 0, "'micro_batches' must be positive");
   require(o.log_every > 0, "'log_every' must be positive");
   require(o.precision == "float32" || o.precision == "bfloat16", "'precision' must be float32 or bfloat16");
   require(o.loss.residual_unit == "dt" || o.loss.residual_unit == "dt2", "'loss.residual_unit' must be dt or dt2");
@@ -208,6 +209,7 @@ TrainingOptions load_training_options(const std::filesystem::path& file) {
     read_unroll(root.raw("unroll"), options.unroll);
     root.read("iterations", options.iterations);
     root.read("batch_size", options.batch_size);
+    root.read("micro_batches", options.micro_batches);
     root.read("seed", options.seed);
     root.read("precision", options.precision);
     root.read("log_every", options.log_every);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/training/run_log.hpp"
 
-#include <cstdio>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <stdexcept>
+
+#include "rigidformer/io/gnuplot.hpp"
 
 namespace rigidformer {
 
@@ -40,14 +40,11 @@ void RunLog::note(const std::string& message) {
 }
 
 void RunLog::plot() const {
-  const std::string command =
-      "gnuplot 2>/dev/null -e \"set datafile separator ','; set terminal svg size 900,500; "
-      "set output '" +
-      (folder_ / "loss.svg").string() +
-      "'; set logscale y; set xlabel 'iteration'; set ylabel 'loss'; set grid; "
-      "plot '" +
-      (folder_ / "log.csv").string() + "' every ::1 using 1:2 with lines title 'training loss'\"";
-  if (std::system(command.c_str()) != 0) std::cerr << "no loss.svg: gnuplot is not installed\n";
+  const bool drawn = run_gnuplot(
+      "set datafile separator ','; set terminal svg size 900,500; set output " + gnuplot_string(folder_ / "loss.svg") +
+      "; set logscale y; set xlabel 'iteration'; set ylabel 'loss'; set grid; plot " +
+      gnuplot_string(folder_ / "log.csv") + " every ::1 using 1:2 with lines title 'training loss'\n");
+  if (!drawn) std::cerr << "no loss.svg: gnuplot is not installed\n";
 }
 
 }  // namespace rigidformer

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -17,6 +18,7 @@
 #include "rigidformer/model/threads.hpp"
 #include "rigidformer/training/losses.hpp"
 #include "rigidformer/training/optimizer.hpp"
+#include "rigidformer/training/process_group.hpp"
 #include "rigidformer/training/run_log.hpp"
 #include "rigidformer/training/training_data.hpp"
 #include "rigidformer/training/validation.hpp"
@@ -25,6 +27,13 @@ namespace rigidformer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// With several processes per machine, each takes the GPU of its number.
+torch::Device device_of(const std::string& name, const ProcessPlace& place) {
+  const torch::Device device = select_device(name);
+  if (!device.is_cuda() || device.index() >= 0 || place.size == 1) return device;
+  return select_device("cuda:" + std::to_string(place.local_rank));
+}
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -37,17 +46,21 @@ class Trainer {
  private:
   void load_weights();
   void learn_once(LogEntry& entry);
+  void add_gradient(std::int64_t micro_batch, int unroll_steps);
   void log(LogEntry entry);
   void validate();
   void save();
   void restore();
+  void synchronise();
   int unroll_steps() const;
   double progress() const { return static_cast<double>(iteration_) / static_cast<double>(options_.iterations); }
 
   TrainingOptions options_;
   TrainingPaths paths_;
   TrainingMachine machine_;
+  ProcessPlace place_;
   torch::Device device_;
+  ProcessGroup group_;
   TrainingData data_;
   RigidFormer model_{nullptr};
   std::unique_ptr<FlatAdamW> optimizer_;
@@ -58,16 +71,26 @@ class Trainer {
 };
 
 Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine)
-    : options_(options), paths_(paths), machine_(machine), device_(select_device(machine.device)) {
+    : options_(options),
+      paths_(paths),
+      machine_(machine),
+      place_(read_process_place(&std::getenv)),
+      device_(device_of(machine.device, place_)),
+      group_(place_, device_) {
+  if (options.micro_batches % group_.size() != 0) {
+    throw std::invalid_argument("micro_batches is " + std::to_string(options.micro_batches) +
+                                ", must be a multiple of the " + std::to_string(group_.size()) + " processes");
+  }
   set_num_threads(machine.num_threads);
   keep_freed_memory();
   std::filesystem::create_directories(paths.output);
   data_ = load_training_data(paths, options, device_);
-  std::cerr << data_.summary << "device " << device_ << '\n';
+  if (group_.is_first()) std::cerr << data_.summary << "device " << device_ << '\n';
   load_weights();
   optimizer_ = std::make_unique<FlatAdamW>(*model_, options_.optimizer);
-  if (machine.resume) restore();
-  log_ = std::make_unique<RunLog>(paths.output, options_.iterations, machine.resume);
+  if (machine.resume && group_.is_first()) restore();
+  synchronise();
+  if (group_.is_first()) log_ = std::make_unique<RunLog>(paths.output, options_.iterations, machine.resume);
   loss_sum_ = torch::zeros({}, device_);
   norm_sum_ = torch::zeros({}, device_);
 }
@@ -83,7 +106,8 @@ void Trainer::load_weights() {
   if (options_.precision == "bfloat16") model_->set_compute_type(torch::kBFloat16);
   model_->to(device_);
   model_->train();
-  std::cerr << "model " << options_.model.preset << ": " << count_parameters(*model_) << " parameters\n";
+  if (group_.is_first())
+    std::cerr << "model " << options_.model.preset << ": " << count_parameters(*model_) << " parameters\n";
 }
 
 int Trainer::unroll_steps() const {
@@ -94,30 +118,40 @@ int Trainer::unroll_steps() const {
   return steps;
 }
 
-void Trainer::learn_once(LogEntry& entry) {
-  // All randomness of an iteration follows from its number, so that a resumed run repeats the uninterrupted one.
-  torch::manual_seed(options_.seed * 1000003 + static_cast<std::uint64_t>(iteration_));
-  entry.unroll_steps = unroll_steps();
+void Trainer::add_gradient(std::int64_t micro_batch, int unroll_steps) {
+  // All randomness of a micro-batch follows from its number, so that a resumed run repeats the uninterrupted one, and
+  // several processes do what one would do.
+  torch::manual_seed(options_.seed * 1000003 + static_cast<std::uint64_t>(micro_batch));
   const std::vector<Window> windows =
-      data_.sampler->draw_batch(options_.batch_size, entry.unroll_steps, options_.seed, iteration_);
-  const WindowBatch batch = make_window_batch(data_.training, windows, entry.unroll_steps, options_.model.num_anchors,
+      data_.sampler->draw_batch(options_.batch_size, unroll_steps, options_.seed, micro_batch);
+  const WindowBatch batch = make_window_batch(data_.training, windows, unroll_steps, options_.model.num_anchors,
                                               options_.augmentation, options_.model.random_anchors);
-  optimizer_->zero_gradient();
-  const Tensor loss = window_loss(options_.loss, model_, batch, nearest_by_distance_matrix);
+  const Tensor loss = window_loss(options_.loss, model_, batch, nearest_by_distance_matrix) / options_.micro_batches;
   loss.backward();
+  loss_sum_ += loss.detach();
+}
+
+void Trainer::learn_once(LogEntry& entry) {
+  entry.unroll_steps = unroll_steps();
+  optimizer_->zero_gradient();
+  for (int i = group_.rank(); i < options_.micro_batches; i += group_.size()) {
+    add_gradient(iteration_ * options_.micro_batches + i, entry.unroll_steps);
+  }
+  group_.sum(optimizer_->gradient());
   entry.learning_rate = learning_rate_at(options_.optimizer, progress());
   norm_sum_ += optimizer_->step(entry.learning_rate);
-  loss_sum_ += loss.detach();
-  windows_ += options_.batch_size;
+  windows_ += options_.batch_size * options_.micro_batches;
   entry.iteration = ++iteration_;
 }
 
 void Trainer::log(LogEntry entry) {
-  const auto iterations = static_cast<double>((windows_ - windows_logged_) / options_.batch_size);
+  const auto iterations =
+      static_cast<double>((windows_ - windows_logged_) / (options_.batch_size * options_.micro_batches));
+  group_.sum(loss_sum_);
   entry.loss = loss_sum_.item<double>() / iterations;
   entry.gradient_norm = norm_sum_.item<double>() / iterations;
   entry.windows_per_s = static_cast<double>(windows_ - windows_logged_) / seconds_since(last_log_);
-  log_->write(entry);
+  if (log_) log_->write(entry);
   loss_sum_.zero_();
   norm_sum_.zero_();
   windows_logged_ = windows_;
@@ -129,6 +163,7 @@ void Trainer::log(LogEntry entry) {
 }
 
 void Trainer::validate() {
+  if (!group_.is_first()) return;
   optimizer_->swap_average();
   std::ostringstream text;
   text << std::fixed << std::setprecision(3) << "validation at iteration " << iteration_
@@ -152,6 +187,7 @@ void Trainer::validate() {
 }
 
 void Trainer::save() {
+  if (!group_.is_first()) return;
   TensorFile state;
   for (const auto& [name, tensor] : optimizer_->state()) {
     state.tensors.emplace(name, to_raw(tensor, TensorType::kFloat32));
@@ -189,12 +225,22 @@ void Trainer::restore() {
   optimizer_->num_steps = std::stoll(state.metadata.at("optimizer_steps"));
 }
 
+/// Every process starts from the state of the first one.
+void Trainer::synchronise() {
+  for (auto& [name, tensor] : optimizer_->state()) group_.copy_from_first(tensor);
+  Tensor counters = torch::tensor({iteration_, windows_, optimizer_->num_steps}, torch::kInt64);
+  group_.copy_from_first(counters);
+  iteration_ = counters[0].item<std::int64_t>();
+  windows_ = windows_logged_ = counters[1].item<std::int64_t>();
+  optimizer_->num_steps = counters[2].item<std::int64_t>();
+}
+
 void Trainer::run() {
   const Clock::time_point start = Clock::now();
   Clock::time_point last_save = start, last_validation = start;
   last_log_ = start;
   const auto time_is_up = [&] {
-    return machine_.max_minutes > 0.0 && seconds_since(start) > 60.0 * machine_.max_minutes;
+    return machine_.max_minutes > 0.0 && group_.any(seconds_since(start) > 60.0 * machine_.max_minutes);
   };
   while (iteration_ < options_.iterations && !time_is_up()) {
     LogEntry entry;
@@ -211,7 +257,7 @@ void Trainer::run() {
   }
   save();
   validate();
-  log_->plot();
+  if (log_) log_->plot();
 }
 
 }  // namespace

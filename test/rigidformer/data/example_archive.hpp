@@ -49,6 +49,19 @@ std::string error_of(const Call& call) {
   return "";
 }
 
+/// Message of the std::runtime_error that `call` must throw about the file at `path`, which it names.
+template <typename Call>
+std::string file_error_of(const std::filesystem::path& path, const Call& call) {
+  try {
+    call();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "no std::runtime_error about " << path;
+  return "";
+}
+
 /// A tetrahedron with its corners at the origin and at 1 on each axis.
 inline Shape tetrahedron(const std::string& name = "tetrahedron") {
   ConvexPart part;

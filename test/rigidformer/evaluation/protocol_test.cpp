@@ -94,6 +94,42 @@ TEST(Protocol, KeepsForecastersApartAndReportsProgress) {
   EXPECT_NEAR(scores[1].error.position_rmse_m, 4.0, 1e-9);
 }
 
+TEST(Protocol, HandsOutEveryRolloutWithItsErrors) {
+  BallisticForecaster ballistic;
+  DriftingForecaster drifting;
+  ProtocolOptions options;
+  options.starts = {20};
+  options.steps = {10};
+  options.horizons = {50, 75};
+  options.curve_frames = 240;
+  const SceneArchive archive = flying_set(2, 130);
+  std::vector<SceneResult> results;
+  const auto scores = evaluate(archive, {&ballistic, &drifting}, options, {},
+                               [&](const SceneResult& result) { results.push_back(result); });
+  ASSERT_EQ(results.size(), 4U);
+  const SceneResult& result = results[3];
+  EXPECT_EQ(result.model, "drifting");
+  EXPECT_EQ(result.set, "flying");
+  EXPECT_EQ(result.start, 20);
+  EXPECT_EQ(result.step, 10);
+  EXPECT_EQ(result.scene, &archive.scenes[1]);
+  ASSERT_EQ(result.at_horizon.size(), 2U);
+  EXPECT_NEAR(result.at_horizon[0].position_rmse_m, 4.0, 1e-9);
+  ASSERT_EQ(result.object_at_horizon[0].size(), 2U);
+  EXPECT_NEAR(result.object_at_horizon[0][1].position_rmse_m, 4.0, 1e-9);
+  // The recording ends at frame 129: whole steps reach frame 120, nine of them after the second given frame.
+  ASSERT_EQ(result.after_step.size(), 10U);
+  EXPECT_NEAR(result.after_step[0].position_rmse_m, 0.0, 1e-9);
+  EXPECT_NEAR(result.after_step[9].position_rmse_m, 9.0, 1e-9);
+  EXPECT_EQ(result.predicted.size(), 2U);
+  // The longer rollout does not change the scores.
+  options.curve_frames = 0;
+  const auto short_scores = evaluate(archive, {&ballistic, &drifting}, options);
+  EXPECT_EQ(short_scores[2].error.position_rmse_m, scores[2].error.position_rmse_m);
+  options.curve_frames = -1;
+  EXPECT_THROW(options.validate(), std::invalid_argument);
+}
+
 TEST(Protocol, RefusesScenesThatAreTooShortAndBadOptions) {
   BallisticForecaster ballistic;
   ProtocolOptions options;

@@ -9,6 +9,7 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <std_srvs/Trigger.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <string>
@@ -108,5 +109,9 @@ inline double largest_error(const SceneForecast& forecast, const std::string& id
   ADD_FAILURE() << "no forecast of '" << id << "'";
   return -1.0;
 }
+
+/// How far a body that turned by `angle` [rad] has drifted when a point one metre from its centre of mass was taken for
+/// the centre: that point leaves along its tangent instead of around the circle.
+inline double drift_of_wrong_centre(double angle) { return std::hypot(1.0 - std::cos(angle), angle - std::sin(angle)); }
 
 }  // namespace rigidformer_ros::testing

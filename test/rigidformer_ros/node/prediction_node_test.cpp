@@ -48,7 +48,8 @@ class PredictionNodeTest : public ::testing::Test {
     return r;
   }
 
-  static double tolerance() { return ros::param::param("~position_tolerance", 0.003); }
+  // Stamps of 1 ns and float32 points leave millimetres after a second.
+  static constexpr double kTolerance_m = 0.003;
 
   static NodeClient& shared_client() {
     static NodeClient instance;
@@ -61,7 +62,7 @@ class PredictionNodeTest : public ::testing::Test {
 };
 
 TEST_F(PredictionNodeTest, ForecastMatchesTheParabolaAtTheStatedTimes) {
-  stream({{"a", high_flight()}, {"b", high_flight(3.0)}});
+  stream({{"a", without_spin(high_flight())}, {"b", without_spin(high_flight(3.0))}});
   ASSERT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
   const SceneForecast& forecast = client.last_forecast;
   EXPECT_EQ(forecast.header.frame_id, "world");
@@ -71,8 +72,18 @@ TEST_F(PredictionNodeTest, ForecastMatchesTheParabolaAtTheStatedTimes) {
   ASSERT_EQ(forecast.objects.size(), 2U);
   for (const ObjectForecast& object : forecast.objects) {
     EXPECT_EQ(object.status, ObjectForecast::OK);
-    EXPECT_LT(largest_error(forecast, object.id, high_flight(object.id == "a" ? 0.0 : 3.0), flight_start), tolerance());
+    const Flight flight = without_spin(high_flight(object.id == "a" ? 0.0 : 3.0));
+    EXPECT_LT(largest_error(forecast, object.id, flight, flight_start), kTolerance_m);
   }
+}
+
+// A predictor that has to guess the centre of mass from the cloud moves the wrong point along the parabola.
+TEST_F(PredictionNodeTest, ASpinningBodyDriftsByTheErrorOfItsCentreOfMassOnly) {
+  stream({{"a", high_flight()}});
+  ASSERT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
+  const double centre_error_m = ros::param::param("~centre_of_mass_error", 0.0);
+  const double drift_m = centre_error_m * drift_of_wrong_centre(high_flight().angular_velocity.norm());
+  EXPECT_LT(largest_error(client.last_forecast, "a", high_flight(), flight_start), kTolerance_m + drift_m);
 }
 
 TEST_F(PredictionNodeTest, ServiceEqualsTopicForTheSameState) {
@@ -89,7 +100,7 @@ TEST_F(PredictionNodeTest, ServiceEqualsTopicForTheSameState) {
 }
 
 TEST_F(PredictionNodeTest, TimeStepAndRecordingChangeTheSpacing) {
-  stream({{"a", high_flight()}});
+  stream({{"a", without_spin(high_flight())}});
   Rollout::Request r = request();
   r.time_step = 0.01;
   r.num_steps = 70;
@@ -100,7 +111,7 @@ TEST_F(PredictionNodeTest, TimeStepAndRecordingChangeTheSpacing) {
   ASSERT_EQ(response.forecast.times.size(), 11U);
   EXPECT_NEAR(response.forecast.times[1], 0.07, 1e-12);
   EXPECT_EQ(response.forecast.time_step, 0.01);
-  EXPECT_LT(largest_error(response.forecast, "a", high_flight(), flight_start), 3.0 * tolerance());
+  EXPECT_LT(largest_error(response.forecast, "a", without_spin(high_flight()), flight_start), 3.0 * kTolerance_m);
   EXPECT_EQ(response.points.width, 11U * 30U);
   EXPECT_EQ(response.points.header, response.forecast.header);
 }

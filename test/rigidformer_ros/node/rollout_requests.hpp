@@ -19,6 +19,11 @@ inline Flight high_flight(double x = 0.0) {
   return flight;
 }
 
+inline Flight without_spin(Flight flight) {
+  flight.angular_velocity.setZero();
+  return flight;
+}
+
 /// The flight's cloud at time `t` as the scene of a request, stamped 50 s + t.
 inline ObjectClouds scene_at(double t, const Flight& flight) {
   ObjectClouds scene;

@@ -106,8 +106,8 @@ TEST(ForecastMessages, RecordsEveryNthStepOfTheChosenObjects) {
 TEST(ForecastMessages, StatusSaysTheWorstThatIsKnown) {
   SceneRollout rollout = falling_scene();
   EXPECT_EQ(to_forecast(rollout, {}, "map").objects[0].status, ObjectForecast::OK);
-  rollout.model.min_size_m = 1.0;
-  rollout.model.max_size_m = 2.0;
+  rollout.model.min_size_m = 10.0;
+  rollout.model.max_size_m = 20.0;
   EXPECT_EQ(to_forecast(rollout, {}, "map").objects[0].status, ObjectForecast::OUT_OF_RANGE);
   rollout.scene.objects[0].assumed_static = true;
   EXPECT_EQ(to_forecast(rollout, {}, "map").objects[0].status, ObjectForecast::ASSUMED_STATIC);

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace rigidformer {
+
+/// Spring and damper of a contact, per unit of effective mass.
+struct ContactSpring {
+  double stiffness = 0.0;  ///< [1/s^2]
+  double damping = 0.0;    ///< [1/s]
+};
+
+/// Speed after a contact that only pushes, for unit speed before, stepped as MuJoCo does (velocity first, then
+/// position); mean over when between two steps the impact falls.
+double rebound_speed(const ContactSpring& spring, double solver_step_s);
+
+/// The contact that rebounds with `restitution` times the speed of impact at this solver step; the undamped spring
+/// pushes for twelve steps. Restitutions below 0.1 act as 0.1: more damping cannot be stepped through.
+/// Throws std::invalid_argument unless 0 <= restitution <= 1 and solver_step_s > 0.
+ContactSpring contact_spring(double restitution, double solver_step_s);
+
+}  // namespace rigidformer

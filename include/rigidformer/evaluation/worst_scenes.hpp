@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rigidformer/evaluation/protocol.hpp"
+
+namespace rigidformer {
+
+/// A rollout to look at: the origins of all objects from the second given frame to the longest horizon.
+struct ScenePaths {
+  std::string set, scene;
+  int start = 0, step = 0;
+  PoseError error;                                                ///< At the longest horizon
+  std::vector<std::string> shapes;                                ///< Per object
+  std::vector<std::vector<Eigen::Vector3d>> predicted, recorded;  ///< [object][k] m
+};
+
+/// Keeps the scenes that one model predicts worst (position at the longest horizon), per set and start; a scene counts
+/// once, with its worst step size.
+class WorstScenes {
+ public:
+  /// `horizon` in frames after the start.
+  WorstScenes(std::string model, int horizon, int kept_per_start)
+      : model_(std::move(model)), horizon_(horizon), kept_per_start_(kept_per_start) {}
+
+  /// Results of other models are ignored.
+  void add(const SceneResult& result);
+
+  /// By set and start, worst first.
+  std::vector<ScenePaths> list() const;
+
+ private:
+  std::string model_;
+  int horizon_, kept_per_start_;
+  std::map<std::pair<std::string, int>, std::vector<ScenePaths>> worst_;
+};
+
+}  // namespace rigidformer

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/baselines/mesh_volume.hpp"
+
+namespace rigidformer {
+
+MeshVolume measure_volume(const ConvexPart& mesh) {
+  // Tetrahedra between the faces and the mean of the vertices; those of faces that look at it count as negative.
+  const Eigen::Vector3d apex = mesh.vertices.cast<double>().colwise().mean().transpose();
+  MeshVolume sum;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    Eigen::Matrix3d corners;  // as columns
+    for (int k = 0; k < 3; ++k) corners.col(k) = mesh.vertices.row(mesh.triangles(f, k)).transpose().cast<double>();
+    const double volume = (corners.colwise() - apex).eval().determinant() / 6.0;
+    sum.volume_m3 += volume;
+    sum.centroid += volume * (apex + corners.rowwise().sum()) / 4.0;
+  }
+  sum.centroid /= sum.volume_m3;
+  return sum;
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "rigidformer/baselines/mesh_volume.hpp"
+#include "rigidformer/scene/surface_sampling.hpp"
+#include "rigidformer/simulation/builtin_shapes.hpp"
+
+namespace rigidformer {
+
+inline const Shape& builtin_shape(const std::string& name) {
+  for (const Shape& shape : builtin_shapes()) {
+    if (shape.name == name) return shape;
+  }
+  throw std::invalid_argument("no shape named " + name);
+}
+
+/// Random points on the surface of a built-in shape.
+inline Points cloud_of_shape(const std::string& name, int count) {
+  return sample_surface(builtin_shape(name), count, 7).points;
+}
+
+/// Sum over its parts, which hardly overlap [m^3].
+inline double volume_of_shape(const std::string& name) {
+  double volume = 0.0;
+  for (const ConvexPart& part : builtin_shape(name).parts) volume += measure_volume(part).volume_m3;
+  return volume;
+}
+
+}  // namespace rigidformer
