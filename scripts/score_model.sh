@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Makes the accuracy numbers of README and model card: simulates test scenes with seeds that no training used, scores
-# the model beside the ballistic guess, and prints Markdown tables. About 15 minutes on one core.
+# the model beside the ballistic guess and Bullet on the hull of the same points, for complete clouds and for what one
+# camera sees, and prints Markdown tables. About half an hour on one core.
 #   scripts/score_model.sh [--model FILE] [--shapes DIR] [--scenes N] [--out DIR] [--workspace DIR]
 set -euo pipefail
 
@@ -35,7 +36,8 @@ for set in movi_sphere movi_a movi_b; do
   seed=$((seed + 1))
 done
 score() { "$tools/evaluate" "${model[@]}" "${data[@]}" --starts 0,120,240 --horizons 50,75,100 "$@"; }
-score --steps 10 --json "$out/steps_10.json"
+score --steps 10 --baselines ballistic,bullet --json "$out/complete.json"
+score --steps 10 --baselines ballistic,bullet --view --noise 0.002 --properties unknown --json "$out/one_view.json"
 # A step of one frame needs ten times the steps: fewer scenes.
-score --steps 1,5 --scenes $((scenes / 6)) --json "$out/steps_1_5.json"
-"$root/scripts/score_table.py" "$out/steps_10.json" "$out/steps_1_5.json"
+score --steps 1,5 --baselines ballistic --scenes $((scenes / 6)) --json "$out/short_steps.json"
+"$root/scripts/score_table.py" "$out"/{complete,one_view,short_steps}.json

@@ -1,41 +1,49 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints the JSON files of `evaluate` as Markdown tables: one per step size, position (m) / orientation (deg)."""
+"""Prints the JSON files of `evaluate` as Markdown tables: one per file and step size, position (m) / orientation (deg)."""
 import json
 import sys
 
 
-def load(paths):
-    """Returns {(step, set, start): {horizon: {model: "position / orientation"}}} and the scenes per step."""
-    cells, scenes = {}, {}
-    for path in paths:
-        with open(path, encoding="utf-8") as file:
-            for row in json.load(file)["results"]:
-                text = f"{row['position_rmse_m']:.3f} / {row['orientation_rmse_deg']:.1f}"
-                key = (row["step"], row["set"], row["start"])
-                cells.setdefault(key, {}).setdefault(row["horizon"], {})[row["model"]] = text
-                scenes[row["step"]] = row["scenes"]
-    return cells, scenes
+def describe(conditions):
+    """What the models were given, in words."""
+    points = conditions["points"]
+    words = ["mesh vertices" if points == "vertices" else f"{points} points per object"]
+    if conditions["one_view"]:
+        words.append("only those that face one camera")
+    if conditions["masked_fraction"]:
+        words.append(f"{conditions['masked_fraction']:.0%} of them dropped")
+    if conditions["noise_m"]:
+        words.append(f"noise {1000 * conditions['noise_m']:g} mm")
+    words.append(f"properties {conditions['properties']}")
+    return ", ".join(words)
 
 
-def print_table(step, cells, scenes):
-    rows = {key: value for key, value in cells.items() if key[0] == step}
-    horizons = sorted({horizon for value in rows.values() for horizon in value})
-    models = sorted({model for value in rows.values() for cell in value.values() for model in cell}, reverse=True)
-    print(f"\ns = {step}, {scenes} scenes per set\n")
-    print("| set | start | " + " | ".join(f"{model}, {h}" for h in horizons for model in models) + " |")
-    print("|---|---|" + "---|" * (len(horizons) * len(models)))
-    for (_, name, start), value in rows.items():
-        print(f"| {name} | {start} | " + " | ".join(value[h].get(m, "") for h in horizons for m in models) + " |")
+def print_table(step, results, conditions):
+    """One row per set, start and model; one column per horizon."""
+    cells, scenes = {}, 0
+    for row in results:
+        if row["step"] == step:
+            text = f"{row['position_rmse_m']:.3f} / {row['orientation_rmse_deg']:.1f}"
+            cells.setdefault((row["set"], row["start"], row["model"]), {})[row["horizon"]] = text
+            scenes = row["scenes"]
+    horizons = sorted({horizon for row in cells.values() for horizon in row})
+    print(f"\ns = {step}, {scenes} scenes per set, {describe(conditions)}\n")
+    print("| set | start | model | " + " | ".join(str(h) for h in horizons) + " |")
+    print("|---|---|---|" + "---|" * len(horizons))
+    for (name, start, model), row in cells.items():
+        print(f"| {name} | {start} | {model} | " + " | ".join(row.get(h, "") for h in horizons) + " |")
 
 
 def main():
     if len(sys.argv) < 2:
         sys.exit("usage: score_table.py FILE.json [FILE.json ...]")
-    cells, scenes = load(sys.argv[1:])
-    for step in sorted(scenes, reverse=True):
-        print_table(step, cells, scenes[step])
+    for path in sys.argv[1:]:
+        with open(path, encoding="utf-8") as file:
+            document = json.load(file)
+        for step in sorted({row["step"] for row in document["results"]}, reverse=True):
+            print_table(step, document["results"], document["conditions"])
 
 
 main()

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -25,26 +27,28 @@ using namespace rigidformer;
 
 constexpr int kReportFrames = 240;  // how far a report follows the error
 
-/// One line on stderr, renewed at most once a second: share done and the time left at the mean pace so far.
+/// Share done and the time left at the mean pace so far, on stderr: one line renewed every second on a terminal, a new
+/// line every half minute in a log.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string label) : label_(std::move(label)) {}
 
   void operator()(long done, long total) {
     const Clock::time_point now = Clock::now();
-    if (done < total && now - shown_ < std::chrono::seconds(1)) {
+    if (done < total && now - shown_ < std::chrono::seconds(is_terminal_ ? 1 : 30)) {
       return;
     }
     shown_ = now;
     const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
     const double left_s = elapsed_s * static_cast<double>(total - done) / static_cast<double>(done);
-    std::fprintf(stderr, "\r%s: %3ld %%, %.0f s done, %.0f s left   %s", label_.c_str(), 100 * done / total, elapsed_s,
-                 left_s, done == total ? "\n" : "");
+    std::fprintf(stderr, "%s%s: %3ld %%, %.0f s done, %.0f s left   %s", is_terminal_ ? "\r" : "", label_.c_str(),
+                 100 * done / total, elapsed_s, left_s, done == total || !is_terminal_ ? "\n" : "");
   }
 
  private:
   using Clock = std::chrono::steady_clock;
   std::string label_;
+  bool is_terminal_ = isatty(STDERR_FILENO) != 0;
   Clock::time_point begin_ = Clock::now(), shown_ = begin_;
 };
 

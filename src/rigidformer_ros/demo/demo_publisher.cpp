@@ -10,24 +10,13 @@
 #include <stdexcept>
 
 #include "demo_clouds.hpp"
+#include "rigidformer_ros/conversions.hpp"
 
 namespace rigidformer_ros::demo {
 namespace {
 
 constexpr double kFrameRate = 240.0;  // [Hz] of the simulation
 constexpr int kMaxObjects = 10;
-
-geometry_msgs::Pose to_pose(const rigidformer::RigidTransform& T) {
-  geometry_msgs::Pose pose;
-  pose.position.x = T.translation.x();
-  pose.position.y = T.translation.y();
-  pose.position.z = T.translation.z();
-  pose.orientation.x = T.rotation.x();
-  pose.orientation.y = T.rotation.y();
-  pose.orientation.z = T.rotation.z();
-  pose.orientation.w = T.rotation.w();
-  return pose;
-}
 
 template <typename T>
 void read_parameter(const ros::NodeHandle& node, const std::string& name, T& value) {
