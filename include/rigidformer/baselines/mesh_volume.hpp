@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "rigidformer/scene/shape.hpp"
 
 namespace rigidformer {
@@ -13,5 +15,8 @@ struct MeshVolume {
 
 /// Of a closed mesh whose triangles face outwards, convex or not.
 MeshVolume measure_volume(const ConvexPart& mesh);
+
+/// Of all parts together; where parts overlap, twice.
+MeshVolume measure_volume(const std::vector<ConvexPart>& parts);
 
 }  // namespace rigidformer

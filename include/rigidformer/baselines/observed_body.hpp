@@ -27,9 +27,8 @@ using Decomposition = std::function<std::vector<ConvexPart>(const Points&)>;
 std::vector<ConvexPart> one_hull(const Points& points);
 
 /// Geometry, state and material from what the network sees and nothing else:
-/// - Shape: what `decompose` makes of the points. Clouds thinner than 1 cm along a principal axis (one face, a line)
-/// are made 1 cm
-///   thick there, half to each side.
+/// - Shape: what `decompose` makes of the points. Clouds thinner than 1 cm along a principal axis (one face, a
+///   line) are made 1 cm thick there, half to each side.
 /// - Centre of mass: centroid of the shape's volume, whatever the origin of the reference frame.
 /// - Velocity and spin: from the two poses. Gravity is taken to have acted between them, except on objects that touch
 ///   the floor in both.

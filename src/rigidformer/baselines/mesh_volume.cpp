@@ -19,4 +19,15 @@ MeshVolume measure_volume(const ConvexPart& mesh) {
   return sum;
 }
 
+MeshVolume measure_volume(const std::vector<ConvexPart>& parts) {
+  MeshVolume sum;
+  for (const ConvexPart& part : parts) {
+    const MeshVolume of_part = measure_volume(part);
+    sum.volume_m3 += of_part.volume_m3;
+    sum.centroid += of_part.volume_m3 * of_part.centroid;
+  }
+  sum.centroid /= sum.volume_m3;
+  return sum;
+}
+
 }  // namespace rigidformer

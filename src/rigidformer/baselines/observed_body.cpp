@@ -42,18 +42,6 @@ Points with_thickness(Points points) {
   return points;
 }
 
-/// Of all parts together; where parts overlap, twice.
-MeshVolume measure_volume(const std::vector<ConvexPart>& parts) {
-  MeshVolume sum;
-  for (const ConvexPart& part : parts) {
-    const MeshVolume of_part = measure_volume(part);
-    sum.volume_m3 += of_part.volume_m3;
-    sum.centroid += of_part.volume_m3 * of_part.centroid;
-  }
-  sum.centroid /= sum.volume_m3;
-  return sum;
-}
-
 double lowest_point(const std::vector<ConvexPart>& parts, const RigidTransform& T_ground_body) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const ConvexPart& part : parts) {

@@ -24,10 +24,6 @@ inline Points cloud_of_shape(const std::string& name, int count) {
 }
 
 /// Sum over its parts, which hardly overlap [m^3].
-inline double volume_of_shape(const std::string& name) {
-  double volume = 0.0;
-  for (const ConvexPart& part : builtin_shape(name).parts) volume += measure_volume(part).volume_m3;
-  return volume;
-}
+inline double volume_of_shape(const std::string& name) { return measure_volume(builtin_shape(name).parts).volume_m3; }
 
 }  // namespace rigidformer
