@@ -44,7 +44,7 @@ void RunLog::plot() const {
       "set datafile separator ','; set terminal svg size 900,500; set output " + gnuplot_string(folder_ / "loss.svg") +
       "; set logscale y; set xlabel 'iteration'; set ylabel 'loss'; set grid; plot " +
       gnuplot_string(folder_ / "log.csv") + " every ::1 using 1:2 with lines title 'training loss'\n");
-  if (!drawn) std::cerr << "no loss.svg: gnuplot is not installed\n";
+  if (!drawn) std::cerr << "no loss.svg: gnuplot is not installed, or nothing is logged yet\n";
 }
 
 }  // namespace rigidformer
