@@ -4,7 +4,7 @@
 #
 # Makes the accuracy numbers of README and model card: simulates test scenes with seeds that no training used, scores
 # the model beside the ballistic guess and Bullet on the hull of the same points, for complete clouds and for what one
-# camera sees, and prints Markdown tables. About half an hour on one core.
+# camera sees, and prints Markdown tables. About an hour on one core.
 #   scripts/score_model.sh [--model FILE] [--shapes DIR] [--scenes N] [--out DIR] [--workspace DIR]
 set -euo pipefail
 
@@ -40,4 +40,18 @@ score --steps 10 --baselines ballistic,bullet --json "$out/complete.json"
 score --steps 10 --baselines ballistic,bullet --view --noise 0.002 --properties unknown --json "$out/one_view.json"
 # A step of one frame needs ten times the steps: fewer scenes.
 score --steps 1,5 --baselines ballistic --scenes $((scenes / 6)) --json "$out/short_steps.json"
-"$root/scripts/score_table.py" "$out"/{complete,one_view,short_steps}.json
+# Other densities, in the air.
+at_start() { "$tools/evaluate" "${model[@]}" "${data[@]}" --starts 0 --steps 10 --horizons 100 --baselines bullet "$@"; }
+at_start --points 768 --json "$out/dense.json"
+at_start --mask 0.25 --json "$out/masked.json"
+# Drift over ten seconds of what lies still six seconds after the start.
+resting=()
+for set in movi_sphere movi_a movi_b; do
+  "$tools/generate_scenes" --set $set --scenes $((scenes / 6)) --seed $seed --first-frame 1440 --frames 2401 \
+    --out "$out/resting_$set" "${shapes[@]}"
+  resting+=(--data "$out/resting_$set")
+  seed=$((seed + 1))
+done
+"$tools/evaluate" "${model[@]}" "${resting[@]}" --starts 0 --steps 10 --horizons 240,2400 --resting --baselines none \
+  --json "$out/resting.json"
+"$root/scripts/score_table.py" "$out"/{complete,one_view,short_steps,dense,masked,resting}.json

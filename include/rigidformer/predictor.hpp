@@ -20,6 +20,8 @@ struct PredictorOptions {
   int num_threads = 1;                ///< CPU threads for tensor operations
   int max_points = 256;               ///< Points per object the network looks at; larger clouds are thinned evenly
   int warmup_runs = 2;                ///< Dummy predictions made by warm_up()
+  double rest_speed = 0.1;            ///< [m/s] an object that is and would stay slower than this ...
+  double rest_spin = 0.3;             ///< [rad/s] ... and this is held still; rest_speed 0 = never
 };
 
 /// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; index 0 is the

@@ -108,7 +108,7 @@ void run(const EvaluateOptions& options) {
   const std::vector<Score> scores = score_sets(options, contestants);
   print_scores(std::cout, scores);
   if (!options.json_file.empty()) {
-    write_scores_json(options.json_file, scores, options.protocol.observation);
+    write_scores_json(options.json_file, scores, options.protocol);
   }
 }
 

@@ -35,6 +35,8 @@ void add_model_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--model", options.model.file, "Checkpoint; 'none' scores the baselines alone [the shipped one]");
   app.add_option("--device", options.model.device, "auto, cpu, cuda or cuda:N")->capture_default_str();
   app.add_option("--precision", options.model.precision, "float32 or bfloat16")->capture_default_str();
+  app.add_option("--rest-speed", options.model.rest_speed, "Objects slower than this [m/s] are held still, 0 = never")
+      ->capture_default_str();
   app.add_option("--threads", options.model.num_threads, "CPU threads")->capture_default_str();
   app.add_option("--baselines", options.baselines,
                  "Scored beside the model: ballistic (no contact), bullet, mujoco (on the hull of the same points), "
@@ -54,6 +56,8 @@ void add_protocol_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--horizons", protocol.horizons, "Frames after the start that are scored")
       ->delimiter(',')
       ->capture_default_str();
+  app.add_flag("--resting", protocol.resting_only,
+               "Score only objects that lie still from the start to the last horizon: their error is drift");
   app.add_option("--scenes", protocol.max_scenes, "Scenes per set, 0 = all")->capture_default_str();
 }
 

@@ -13,6 +13,10 @@ int main(int argc, char** argv) {
   CLI::App app{"Simulates MOVi scenes (objects thrown into a box, falling on a plane) with Bullet."};
   app.add_option("--set", options.set, "movi_sphere | movi_a | movi_b")->required();
   app.add_option("--scenes", options.num_scenes, "Number of scenes")->required();
+  app.add_option("--frames", options.movi.num_frames, "Frames of 1/240 s to record")->capture_default_str();
+  app.add_option("--first-frame", options.movi.first_frame,
+                 "Frames simulated before the recording begins; after 720 or more most objects rest or roll")
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "Same seed, same scenes")->capture_default_str();
   app.add_option("--out", options.output, "Output folder")->required();
   app.add_option("--shapes", options.shapes, "Shapes in KuBasic layout; default: built-in shapes");

@@ -10,6 +10,7 @@
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/nearest.hpp"
+#include "rigidformer/model/rest.hpp"
 #include "rigidformer/model/scene_input.hpp"
 #include "rigidformer/model/threads.hpp"
 
@@ -129,6 +130,10 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
   if (options.max_points < 16) {
     throw std::invalid_argument("max_points is " + std::to_string(options.max_points) + ", must be at least 16");
   }
+  if (!(options.rest_speed >= 0.0 && options.rest_spin >= 0.0)) {
+    throw std::invalid_argument("rest_speed is " + std::to_string(options.rest_speed) + " and rest_spin " +
+                                std::to_string(options.rest_spin) + ", must not be negative");
+  }
   set_num_threads(options.num_threads);
   keep_freed_memory();
   device = select_device(options.device);
@@ -206,8 +211,10 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
   SceneState state{to_device(input.state.first, device), to_device(input.state.previous, device),
                    to_device(input.state.current, device)};
   const Tensor centre = model->centre_of_mass(batch, state.current);
+  const RestLimits rest{impl_->options.rest_speed, impl_->options.rest_spin};
   for (int step = 0; step < rollout.num_steps; ++step) {
     SceneState next = advance(batch, state, model->forward(batch, state, centre, nearest).pose);
+    if (rest.speed_mps > 0.0) hold_resting(batch, state, next, rest);
     record(input, state, next, batch, forecast);
     state = next;
   }

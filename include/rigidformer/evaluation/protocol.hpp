@@ -19,6 +19,7 @@ struct ProtocolOptions {
   std::vector<int> steps{1, 5, 10};        ///< Time step of the rollout
   std::vector<int> horizons{50, 75, 100};  ///< Scored at frame S + horizon
   int max_scenes = 0;                      ///< Only the first ones; 0 = all
+  bool resting_only = false;               ///< Score only objects that lie still from start to last horizon: drift
   int curve_frames = 0;  ///< Rolls out up to here for the errors after every step, as far as a recording goes
   ObservationOptions observation;
 
@@ -45,9 +46,9 @@ struct SceneResult {
   int start = 0;
   int step = 0;
   const SceneRecording* scene = nullptr;                  ///< Never null
-  std::vector<PoseError> at_horizon;                      ///< Of the scene, in the order of the horizons
+  std::vector<PoseError> at_horizon;                      ///< Of the scored objects, in the order of the horizons
   std::vector<std::vector<PoseError>> object_at_horizon;  ///< [horizon][object]: distance and angle of one object
-  std::vector<PoseError> after_step;  ///< Of the scene, k steps after the second given frame; only with curve_frames
+  std::vector<PoseError> after_step;  ///< Of all objects, k steps after the second given frame; only with curve_frames
   std::vector<std::vector<RigidTransform>> predicted;  ///< [object][k]
 };
 
@@ -58,8 +59,8 @@ using ResultSink = std::function<void(const SceneResult&)>;
 using EvaluationProgress = std::function<void(long done, long total)>;
 
 /// Rolls every forecaster out from two given frames of every scene and scores it against the recording. Scores come in
-/// the order start, step, forecaster, horizon. Throws std::invalid_argument for invalid options, no scenes or a scene
-/// that is too short.
+/// the order start, step, forecaster, horizon. Scenes in which nothing rests are left out of a score of resting
+/// objects. Throws std::invalid_argument for invalid options, no scenes, nothing to score or a scene that is too short.
 std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
                             const ProtocolOptions& options, const EvaluationProgress& progress = {},
                             const ResultSink& sink = {});

@@ -16,6 +16,6 @@ void print_scores(std::ostream& out, const std::vector<Score>& scores);
 
 /// Writes {"conditions": {...}, "results": [...]}. Throws std::runtime_error naming the path when it cannot be written.
 void write_scores_json(const std::filesystem::path& path, const std::vector<Score>& scores,
-                       const ObservationOptions& observation);
+                       const ProtocolOptions& protocol);
 
 }  // namespace rigidformer

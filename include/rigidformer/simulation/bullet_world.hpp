@@ -70,8 +70,9 @@ class BulletWorld {
 BulletWorld make_world(const SceneRecording& scene, const std::vector<Shape>& shapes, const BulletSettings& settings,
                        int frame = 0);
 
-/// Simulates `scene` from its frame 0 and returns a copy with `num_frames` frames of poses and velocities.
+/// Simulates `scene` from its frame 0 and returns a copy with `num_frames` frames of poses and velocities, the first of
+/// them `first_frame` frames after the start.
 SceneRecording simulate(const SceneRecording& scene, const std::vector<Shape>& shapes, const BulletSettings& settings,
-                        int num_frames);
+                        int num_frames, int first_frame = 0);
 
 }  // namespace rigidformer

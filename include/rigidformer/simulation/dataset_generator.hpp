@@ -19,6 +19,7 @@ struct DatasetOptions {
   std::filesystem::path output;    ///< Folder; created when missing
   std::filesystem::path shapes;    ///< Folder in KuBasic layout; empty = built-in shapes
   std::string format = "archive";  ///< archive (shards of 100 scenes) | kubric (one folder per scene)
+  MoviOptions movi;                ///< Which frames are recorded, how scenes are drawn
   int jobs = 1;                    ///< Threads
 
   /// Throws std::invalid_argument naming field and value.

@@ -21,7 +21,8 @@ std::string to_string(MoviSet set);
 
 /// How scenes of all sets are drawn.
 struct MoviOptions {
-  int num_frames = 480;
+  int num_frames = 480;  ///< Recorded
+  int first_frame = 0;   ///< Simulated before the recording begins: after a few seconds most objects rest
   int min_objects = 3;
   int max_objects = 10;
   double small_size = 0.7;  ///< Uniform scale; set B draws uniformly in between

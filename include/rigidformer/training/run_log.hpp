@@ -15,6 +15,7 @@ struct LogEntry {
   std::int64_t iteration = 0;
   double loss = 0.0, gradient_norm = 0.0, learning_rate = 0.0;
   double windows_per_s = 0.0;
+  double share_of_peak = 0.0;  ///< Products with weights per second over what large matrix products reach
   int unroll_steps = 1;
 };
 

@@ -9,16 +9,20 @@
 
 namespace rigidformer {
 
-/// A moment at which an object's velocity changes abruptly.
+/// A moment of one object's motion.
 struct ContactEvent {
   std::int32_t scene = 0;
   std::int32_t frame = 0;
 };
 
-/// Contacts of all scenes by kind, found from the trajectories alone: jumps of velocity that gravity does not explain.
+/// Moments of contact in all scenes by kind, found from the trajectories alone. Impacts are jumps of velocity that
+/// gravity does not explain; lasting contacts are listed every few frames.
 struct ContactEvents {
-  std::vector<ContactEvent> mid_air;  ///< Lowest point of the object well above the floor: object against object
-  std::vector<ContactEvent> floor;
+  std::vector<ContactEvent>
+      mid_air;                      ///< Impact, lowest point of the object well above the floor: object against object
+  std::vector<ContactEvent> floor;  ///< Impact on the floor
+  std::vector<ContactEvent> rolling;  ///< On the floor without impact, in motion
+  std::vector<ContactEvent> resting;  ///< Does not move, wherever it lies
 };
 
 /// `tensors` must be on the CPU.

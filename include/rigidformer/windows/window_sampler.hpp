@@ -15,7 +15,9 @@ struct WindowOptions {
   std::vector<int> step_sizes = {1, 5, 10};  ///< s drawn from here ...
   double any_step_probability = 0.0;         ///< ... or, with this probability, uniformly from 1 ... max(step_sizes)
   double mid_air_probability = 0.0;          ///< Windows around object-object contacts
-  double floor_probability = 0.0;            ///< Windows around floor impacts; the rest is uniform in time
+  double floor_probability = 0.0;            ///< Windows around floor impacts
+  double rolling_probability = 0.0;          ///< Windows in which an object rolls or slides on the floor
+  double resting_probability = 0.0;          ///< Windows in which an object rests; what is left is uniform in time
 };
 
 /// One window: frames `frame`, `frame` + s, ..., of one scene.
@@ -41,6 +43,7 @@ class WindowSampler {
 
  private:
   int draw_step_size(int num_steps, std::mt19937_64& random) const;
+  const std::vector<ContactEvent>* draw_kind(std::mt19937_64& random) const;
 
   WindowOptions options_;
   ContactEvents events_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 namespace rigidformer {
@@ -53,6 +54,30 @@ std::vector<PoseError> object_errors(const Poses& predicted, const Poses& truth)
   return errors;
 }
 
+bool lies_still(const std::vector<RigidTransform>& poses, int first, int last) {
+  constexpr double kStill_m = 0.002, kStill_rad = 0.2 * M_PI / 180.0;
+  return std::all_of(poses.begin() + first, poses.begin() + last + 1, [&](const RigidTransform& pose) {
+    return (pose.translation - poses[static_cast<std::size_t>(first)].translation).norm() < kStill_m &&
+           rotation_angle(pose.rotation, poses[static_cast<std::size_t>(first)].rotation) < kStill_rad;
+  });
+}
+
+/// Indices of the objects whose errors count.
+std::vector<std::size_t> objects_to_score(const SceneRecording& scene, const ProtocolOptions& options, int start) {
+  const int last = start + *std::max_element(options.horizons.begin(), options.horizons.end());
+  std::vector<std::size_t> objects;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!options.resting_only || lies_still(scene.objects[i].T_world_object, start, last)) objects.push_back(i);
+  }
+  return objects;
+}
+
+Poses select(const Poses& poses, const std::vector<std::size_t>& objects) {
+  Poses selected;
+  for (const std::size_t i : objects) selected.push_back(poses[i]);
+  return selected;
+}
+
 /// All scenes of one set, rolled out by one forecaster from one start with one step size.
 class Round {
  public:
@@ -64,7 +89,7 @@ class Round {
   int num_steps() const { return num_steps_; }
 
   SceneResult add_scene(const std::string& set, const SceneRecording& scene, const std::vector<ObjectState>& objects,
-                        Forecaster& forecaster) {
+                        const std::vector<std::size_t>& scored, Forecaster& forecaster) {
     const int curve_steps = steps_of_curve(scene);
     RolloutOptions rollout;
     rollout.num_steps = std::max(num_steps_, curve_steps);
@@ -78,7 +103,7 @@ class Round {
     for (std::size_t h = 0; h < options_.horizons.size(); ++h) {
       const Poses predicted = predicted_at(result.predicted, options_.horizons[h], step_);
       const Poses truth = recorded_at(scene, start_ + options_.horizons[h]);
-      result.at_horizon.push_back(scene_error(predicted, truth));
+      result.at_horizon.push_back(scene_error(select(predicted, scored), select(truth, scored)));
       result.object_at_horizon.push_back(object_errors(predicted, truth));
       errors_[h].push_back(result.at_horizon.back());
     }
@@ -91,6 +116,10 @@ class Round {
   }
 
   void append_scores(const std::string& model, const std::string& set, std::vector<Score>& scores) const {
+    if (errors_.front().empty()) {
+      throw std::invalid_argument("evaluation: no object of set " + set + " rests from frame " +
+                                  std::to_string(start_) + " on");
+    }
     for (std::size_t h = 0; h < options_.horizons.size(); ++h) {
       scores.push_back({model, set, start_, step_, options_.horizons[h], static_cast<int>(errors_[h].size()),
                         mean_error(errors_[h]), compute_s_ / predicted_s_});
@@ -155,9 +184,13 @@ std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forec
     for (const int step : options.steps) {
       std::vector<Round> rounds(forecasters.size(), Round(options, start, step));
       for (const SceneRecording* scene : scenes) {
+        const std::vector<std::size_t> scored = objects_to_score(*scene, options, start);
+        if (scored.empty()) {
+          continue;
+        }
         const std::vector<ObjectState> objects = observer.observe(*scene, start + step, step);
         for (std::size_t f = 0; f < forecasters.size(); ++f) {
-          const SceneResult result = rounds[f].add_scene(archive.set, *scene, objects, *forecasters[f]);
+          const SceneResult result = rounds[f].add_scene(archive.set, *scene, objects, scored, *forecasters[f]);
           done += rounds[f].num_steps();
           if (sink) {
             sink(result);

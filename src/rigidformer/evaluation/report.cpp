@@ -79,14 +79,16 @@ void print_scores(std::ostream& out, const std::vector<Score>& scores) {
 }
 
 void write_scores_json(const std::filesystem::path& path, const std::vector<Score>& scores,
-                       const ObservationOptions& observation) {
+                       const ProtocolOptions& protocol) {
+  const ObservationOptions& observation = protocol.observation;
   nlohmann::json document;
   document["conditions"] = {
       {"points", observation.num_points == 0 ? nlohmann::json("vertices") : nlohmann::json(observation.num_points)},
       {"properties", observation.known_properties ? "known" : "unknown"},
       {"noise_m", observation.noise_m},
       {"masked_fraction", observation.masked_fraction},
-      {"one_view", observation.one_view}};
+      {"one_view", observation.one_view},
+      {"resting_only", protocol.resting_only}};
   document["results"] = nlohmann::json::array();
   for (const Score& score : scores) {
     document["results"].push_back({{"model", score.model},

@@ -96,7 +96,7 @@ void ReportFolder::add(const SceneResult& result) {
 }
 
 void ReportFolder::write(const std::vector<Score>& scores) const {
-  write_scores_json(folder_ / "scores.json", scores, options_.observation);
+  write_scores_json(folder_ / "scores.json", scores, options_);
   const nlohmann::json parts = {{"by_shape", partial_json("shape", breakdown_.by_shape())},
                                 {"by_num_objects", partial_json("num_objects", breakdown_.by_num_objects())},
                                 {"by_frame", partial_json("frame", breakdown_.by_frame())}};

@@ -40,8 +40,12 @@ std::string fingerprint(const std::vector<Shape>& shapes) {
 
 /// Notes in the folder what it holds, or checks that the note there says the same.
 void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shapes) {
-  const Json wanted = {
-      {"set", options.set}, {"seed", options.seed}, {"format", options.format}, {"shapes_sha256", fingerprint(shapes)}};
+  const Json wanted = {{"set", options.set},
+                       {"seed", options.seed},
+                       {"first_frame", options.movi.first_frame},
+                       {"num_frames", options.movi.num_frames},
+                       {"format", options.format},
+                       {"shapes_sha256", fingerprint(shapes)}};
   fs::create_directories(options.output);
   const fs::path path = options.output / kGenerationFile;
   if (!fs::exists(path)) {
@@ -120,7 +124,7 @@ class DatasetGenerator {
 
  private:
   SceneRecording generate(int index) const {
-    return generate_movi_scene(set_, shapes_, options_.seed, static_cast<std::uint64_t>(index));
+    return generate_movi_scene(set_, shapes_, options_.seed, static_cast<std::uint64_t>(index), options_.movi);
   }
 
   const DatasetOptions& options_;
@@ -134,6 +138,10 @@ class DatasetGenerator {
 void DatasetOptions::validate() const {
   parse_movi_set(set);
   if (num_scenes < 1) throw std::invalid_argument("scenes = " + std::to_string(num_scenes) + " must be >= 1");
+  if (movi.num_frames < 1) throw std::invalid_argument("frames = " + std::to_string(movi.num_frames) + " must be >= 1");
+  if (movi.first_frame < 0) {
+    throw std::invalid_argument("first_frame = " + std::to_string(movi.first_frame) + " must be >= 0");
+  }
   if (jobs < 1) throw std::invalid_argument("jobs = " + std::to_string(jobs) + " must be >= 1");
   if (output.empty()) throw std::invalid_argument("out must name a folder");
   if (format != "archive" && format != "kubric") {

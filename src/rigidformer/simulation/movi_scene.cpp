@@ -155,7 +155,7 @@ SceneRecording sample_movi_scene(MoviSet set, const std::vector<Shape>& shapes, 
 SceneRecording generate_movi_scene(MoviSet set, const std::vector<Shape>& shapes, std::uint64_t seed,
                                    std::uint64_t index, const MoviOptions& options) {
   return simulate(sample_movi_scene(set, shapes, seed, index, options), shapes, movi_bullet_settings(set),
-                  options.num_frames);
+                  options.num_frames, options.first_frame);
 }
 
 }  // namespace rigidformer

@@ -44,7 +44,8 @@ BulletWorld make_world(const SceneRecording& scene, const std::vector<Shape>& sh
 }
 
 SceneRecording simulate(const SceneRecording& scene, const std::vector<Shape>& shapes, const BulletSettings& settings,
-                        int num_frames) {
+                        int num_frames, int first_frame) {
+  if (first_frame < 0) throw std::invalid_argument("first_frame = " + std::to_string(first_frame) + " must be >= 0");
   if (num_frames < 1) throw std::invalid_argument("num_frames = " + std::to_string(num_frames) + " must be >= 1");
   BulletWorld world = make_world(scene, shapes, settings);
   SceneRecording recording = scene;
@@ -56,6 +57,7 @@ SceneRecording simulate(const SceneRecording& scene, const std::vector<Shape>& s
     object.velocities.clear();
     object.angular_velocities.clear();
   }
+  for (int frame = 0; frame < first_frame; ++frame) world.step_frame();
   for (int frame = 0; frame < num_frames; ++frame) {
     if (frame > 0) world.step_frame();
     for (int i = 0; i < world.num_bodies(); ++i) append(recording.objects[static_cast<std::size_t>(i)], world.state(i));

@@ -89,6 +89,8 @@ void read_windows(Section section, WindowOptions& windows) {
   section.read("any_step_probability", windows.any_step_probability);
   section.read("mid_air_probability", windows.mid_air_probability);
   section.read("floor_probability", windows.floor_probability);
+  section.read("rolling_probability", windows.rolling_probability);
+  section.read("resting_probability", windows.resting_probability);
   section.reject_unknown();
 }
 

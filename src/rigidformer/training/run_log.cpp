@@ -17,19 +17,21 @@ RunLog::RunLog(const std::filesystem::path& folder, std::int64_t total_iteration
   csv_.open(folder / "log.csv", mode);
   notes_.open(folder / "validation.log", mode);
   if (!csv_ || !notes_) throw std::runtime_error("cannot write to '" + folder.string() + "'");
-  if (!has_header) csv_ << "iteration,loss,gradient_norm,learning_rate,windows_per_s,unroll_steps\n";
+  if (!has_header) csv_ << "iteration,loss,gradient_norm,learning_rate,windows_per_s,share_of_peak,unroll_steps\n";
 }
 
 void RunLog::write(const LogEntry& entry) {
   csv_ << entry.iteration << ',' << entry.loss << ',' << entry.gradient_norm << ',' << entry.learning_rate << ','
-       << entry.windows_per_s << ',' << entry.unroll_steps << std::endl;
+       << entry.windows_per_s << ',' << entry.share_of_peak << ',' << entry.unroll_steps << std::endl;
   if (first_iteration_ < 0) first_iteration_ = entry.iteration;
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const auto done = static_cast<double>(entry.iteration - first_iteration_);
   const auto left = static_cast<double>(total_iterations_ - entry.iteration);
   std::cerr << "iteration " << entry.iteration << '/' << total_iterations_ << "  loss " << std::setprecision(4)
             << entry.loss << "  |g| " << entry.gradient_norm << "  lr " << entry.learning_rate << "  "
-            << static_cast<std::int64_t>(entry.windows_per_s) << " windows/s  unroll " << entry.unroll_steps;
+            << static_cast<std::int64_t>(entry.windows_per_s) << " windows/s ("
+            << static_cast<std::int64_t>(100.0 * entry.share_of_peak) << " % of the matrix peak)  unroll "
+            << entry.unroll_steps;
   if (done > 0.0) std::cerr << "  ETA " << static_cast<std::int64_t>(elapsed_s / done * left) << " s";
   std::cerr << std::endl;
 }

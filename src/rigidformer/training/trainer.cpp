@@ -12,6 +12,7 @@
 
 #include "rigidformer/data/scene_loader.hpp"
 #include "rigidformer/model/checkpoint.hpp"
+#include "rigidformer/model/cost.hpp"
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/model/tensor_conversion.hpp"
@@ -27,6 +28,8 @@ namespace rigidformer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double kBackwardCost = 2.0;  // in forward passes
 
 /// With several processes per machine, each takes the GPU of its number.
 torch::Device device_of(const std::string& name, const ProcessPlace& place) {
@@ -45,6 +48,7 @@ class Trainer {
 
  private:
   void load_weights();
+  void measure_peak();
   void learn_once(LogEntry& entry);
   void add_gradient(std::int64_t micro_batch, int unroll_steps);
   void log(LogEntry entry);
@@ -68,6 +72,7 @@ class Trainer {
   std::int64_t iteration_ = 0, windows_ = 0, windows_logged_ = 0;
   Clock::time_point last_log_;
   Tensor loss_sum_, norm_sum_;
+  double matrix_peak_ = 0.0, multiply_adds_ = 0.0;  ///< Per second; of this process since the last log line
 };
 
 Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine)
@@ -93,6 +98,15 @@ Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, con
   if (group_.is_first()) log_ = std::make_unique<RunLog>(paths.output, options_.iterations, machine.resume);
   loss_sum_ = torch::zeros({}, device_);
   norm_sum_ = torch::zeros({}, device_);
+  measure_peak();
+}
+
+void Trainer::measure_peak() {
+  const auto type = options_.precision == "bfloat16" ? torch::kBFloat16 : torch::kFloat32;
+  matrix_peak_ = measure_matrix_peak(device_, type);
+  if (!group_.is_first()) return;
+  std::cerr << "matrix products of " << options_.precision << ": " << static_cast<std::int64_t>(2e-9 * matrix_peak_)
+            << " GFLOP/s on this device\n";
 }
 
 void Trainer::load_weights() {
@@ -129,6 +143,8 @@ void Trainer::add_gradient(std::int64_t micro_batch, int unroll_steps) {
   const Tensor loss = window_loss(options_.loss, model_, batch, nearest_by_distance_matrix) / options_.micro_batches;
   loss.backward();
   loss_sum_ += loss.detach();
+  multiply_adds_ += (1.0 + kBackwardCost) * static_cast<double>(options_.batch_size * unroll_steps) *
+                    multiply_adds(model_, batch.scene.max_objects(), batch.scene.max_points());
 }
 
 void Trainer::learn_once(LogEntry& entry) {
@@ -150,10 +166,13 @@ void Trainer::log(LogEntry entry) {
   group_.sum(loss_sum_);
   entry.loss = loss_sum_.item<double>() / iterations;
   entry.gradient_norm = norm_sum_.item<double>() / iterations;
-  entry.windows_per_s = static_cast<double>(windows_ - windows_logged_) / seconds_since(last_log_);
+  const double elapsed_s = seconds_since(last_log_);
+  entry.windows_per_s = static_cast<double>(windows_ - windows_logged_) / elapsed_s;
+  entry.share_of_peak = multiply_adds_ / elapsed_s / matrix_peak_;
   if (log_) log_->write(entry);
   loss_sum_.zero_();
   norm_sum_.zero_();
+  multiply_adds_ = 0.0;
   windows_logged_ = windows_;
   last_log_ = Clock::now();
   if (!std::isfinite(entry.loss)) {

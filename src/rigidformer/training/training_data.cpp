@@ -44,12 +44,17 @@ std::vector<Window> draw_windows(WindowOptions options, const ContactEvents& eve
 /// One-step validation windows by kind, the metric that shows where learning stands.
 void add_validation_windows(const SceneTensors& tensors, TrainingData& data) {
   const ContactEvents events = find_contact_events(tensors);
-  WindowOptions mid_air, floor, any;
-  mid_air.mid_air_probability = 1.0;
-  floor.floor_probability = 1.0;
-  data.validation_windows = {{"mid-air collision", draw_windows(mid_air, events, tensors)},
-                             {"floor impact", draw_windows(floor, events, tensors)},
-                             {"any time", draw_windows(any, events, tensors)}};
+  const auto add = [&](const char* kind, const std::vector<ContactEvent>& list, double WindowOptions::*probability) {
+    if (list.empty()) return;
+    WindowOptions options;
+    options.*probability = 1.0;
+    data.validation_windows.emplace_back(kind, draw_windows(options, events, tensors));
+  };
+  add("mid-air collision", events.mid_air, &WindowOptions::mid_air_probability);
+  add("floor impact", events.floor, &WindowOptions::floor_probability);
+  add("rolling", events.rolling, &WindowOptions::rolling_probability);
+  add("resting", events.resting, &WindowOptions::resting_probability);
+  data.validation_windows.emplace_back("any time", draw_windows(WindowOptions(), events, tensors));
 }
 
 }  // namespace
@@ -66,7 +71,8 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
   const SceneTensors tensors = make_scene_tensors(archives, options.point_sets);
   ContactEvents events = find_contact_events(tensors);
   summary << "training scenes: " << data.facts.data << "; contact frames: " << events.mid_air.size() << " mid-air, "
-          << events.floor.size() << " floor\n";
+          << events.floor.size() << " floor, " << events.rolling.size() << " rolling, " << events.resting.size()
+          << " resting\n";
   measure_ranges(tensors, data.facts);
   const auto [smallest, largest] =
       std::minmax_element(options.windows.step_sizes.begin(), options.windows.step_sizes.end());

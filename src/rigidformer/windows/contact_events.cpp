@@ -13,12 +13,20 @@ namespace {
 
 constexpr double kMinVelocityJump = 0.5;  // [m/s]
 constexpr double kFloorDistance = 0.08;   // [m] higher than this is not the floor
+constexpr double kRestingSpeed = 0.03;    // [m/s]
+constexpr double kRestingSpin = 0.1;      // [rad/s]
+constexpr double kRollingSpeed = 0.15;    // [m/s]
+constexpr int64_t kLastingStride = 8;     // frames between two entries of a lasting contact
 constexpr int64_t kHeightPoints = 64;     // vertices looked at for the lowest point
 
 using PoseRows = at::TensorAccessor<float, 3>;  // [F, K, 7]
 
 Eigen::Vector3f position(const PoseRows& poses, int64_t frame, int64_t k) {
   return {poses[frame][k][0], poses[frame][k][1], poses[frame][k][2]};
+}
+
+Eigen::Quaternionf rotation(const PoseRows& poses, int64_t frame, int64_t k) {
+  return {poses[frame][k][6], poses[frame][k][3], poses[frame][k][4], poses[frame][k][5]};
 }
 
 /// Height of the lowest of an object's vertices.
@@ -28,33 +36,54 @@ double lowest_point(const SceneTensors& tensors, const PoseRows& poses, int64_t 
   const Tensor vertices = tensors.shape_points[shape][0];
   const auto points = vertices.accessor<float, 2>();
   const int64_t count = std::min(kHeightPoints, tensors.shape_point_count[shape][0].item<int64_t>());
-  const auto row = poses[frame][k];
-  const Eigen::Matrix3f R = Eigen::Quaternionf(row[6], row[3], row[4], row[5]).toRotationMatrix();
+  const Eigen::Matrix3f R = rotation(poses, frame, k).toRotationMatrix();
   float lowest = 1e9f;
   for (int64_t i = 0; i < count; ++i) {
     lowest = std::min(lowest, R.row(2).dot(Eigen::Vector3f(points[i][0], points[i][1], points[i][2])));
   }
-  return row[2] + size * lowest;
+  return poses[frame][k][2] + size * lowest;
+}
+
+/// Change of velocity at a frame that gravity does not explain [m/s].
+double velocity_jump(const PoseRows& poses, int64_t frame, int64_t k, float gravity) {
+  Eigen::Vector3f jump =
+      position(poses, frame + 1, k) - 2.0f * position(poses, frame, k) + position(poses, frame - 1, k);
+  jump *= static_cast<float>(kFrameRateHz);
+  jump.z() -= gravity / static_cast<float>(kFrameRateHz);
+  return jump.norm();
+}
+
+/// The list that the moment belongs to, or none. `on_floor` is asked only where it matters: it is costly.
+template <typename OnFloor>
+std::vector<ContactEvent>* list_for(const PoseRows& poses, int64_t frame, int64_t k, float gravity,
+                                    const OnFloor& on_floor, ContactEvents& events) {
+  if (velocity_jump(poses, frame, k, gravity) >= kMinVelocityJump) {
+    return on_floor() ? &events.floor : &events.mid_air;
+  }
+  if (frame % kLastingStride != 0) return nullptr;
+  const double speed = kFrameRateHz * (position(poses, frame + 1, k) - position(poses, frame, k)).norm();
+  const double spin = kFrameRateHz * rotation(poses, frame + 1, k).angularDistance(rotation(poses, frame, k));
+  if (speed < kRestingSpeed && spin < kRestingSpin) return &events.resting;
+  return speed > kRollingSpeed && on_floor() ? &events.rolling : nullptr;
 }
 
 void find_in_scene(const SceneTensors& tensors, int64_t scene, ContactEvents& events) {
   const Tensor scene_poses = tensors.poses[scene], scene_objects = tensors.object_mask[scene];
   const PoseRows poses = scene_poses.accessor<float, 3>();
   const auto present = scene_objects.accessor<bool, 1>();
-  const float gravity_per_frame = tensors.gravity[scene].item<float>() / static_cast<float>(kFrameRateHz);
+  const float gravity = tensors.gravity[scene].item<float>();
   for (int64_t k = 0; k < present.size(0); ++k) {
     if (!present[k]) continue;
     for (int64_t frame = 1; frame + 1 < poses.size(0); ++frame) {
-      Eigen::Vector3f jump =
-          position(poses, frame + 1, k) - 2.0f * position(poses, frame, k) + position(poses, frame - 1, k);
-      jump *= static_cast<float>(kFrameRateHz);
-      jump.z() -= gravity_per_frame;
-      if (jump.norm() < kMinVelocityJump) continue;
-      const bool on_floor = lowest_point(tensors, poses, scene, frame, k) < kFloorDistance;
-      auto& list = on_floor ? events.floor : events.mid_air;
-      list.push_back({static_cast<std::int32_t>(scene), static_cast<std::int32_t>(frame)});
+      const auto on_floor = [&] { return lowest_point(tensors, poses, scene, frame, k) < kFloorDistance; };
+      std::vector<ContactEvent>* list = list_for(poses, frame, k, gravity, on_floor, events);
+      if (list) list->push_back({static_cast<std::int32_t>(scene), static_cast<std::int32_t>(frame)});
     }
   }
+}
+
+void append(std::vector<ContactEvent>& all, const std::vector<ContactEvent>& part) {
+  all.insert(all.end(), part.begin(), part.end());
 }
 
 }  // namespace
@@ -74,8 +103,10 @@ ContactEvents find_contact_events(const SceneTensors& tensors) {
   for (std::thread& worker : workers) worker.join();
   ContactEvents all;
   for (const ContactEvents& part : found) {
-    all.mid_air.insert(all.mid_air.end(), part.mid_air.begin(), part.mid_air.end());
-    all.floor.insert(all.floor.end(), part.floor.begin(), part.floor.end());
+    append(all.mid_air, part.mid_air);
+    append(all.floor, part.floor);
+    append(all.rolling, part.rolling);
+    append(all.resting, part.resting);
   }
   return all;
 }

@@ -35,7 +35,11 @@ WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
   check_probability(options.any_step_probability, "any_step_probability");
   check_probability(options.mid_air_probability, "mid_air_probability");
   check_probability(options.floor_probability, "floor_probability");
-  check_probability(options.mid_air_probability + options.floor_probability, "mid_air_probability + floor_probability");
+  check_probability(options.rolling_probability, "rolling_probability");
+  check_probability(options.resting_probability, "resting_probability");
+  check_probability(options.mid_air_probability + options.floor_probability + options.rolling_probability +
+                        options.resting_probability,
+                    "mid_air_probability + floor_probability + rolling_probability + resting_probability");
   if (options.step_sizes.empty()) throw std::invalid_argument("windows.step_sizes is empty");
   const auto [smallest, largest] = std::minmax_element(options.step_sizes.begin(), options.step_sizes.end());
   if (*smallest < 1 || 2 * *largest >= num_frames_) {
@@ -53,17 +57,26 @@ int WindowSampler::draw_step_size(int num_steps, std::mt19937_64& random) const 
   return std::min(s, longest);
 }
 
+/// The moments to choose from; null = any time. A kind that the scenes lack falls back to any time.
+const std::vector<ContactEvent>* WindowSampler::draw_kind(std::mt19937_64& random) const {
+  const std::pair<double, const std::vector<ContactEvent>*> kinds[] = {
+      {options_.mid_air_probability, &events_.mid_air},
+      {options_.floor_probability, &events_.floor},
+      {options_.rolling_probability, &events_.rolling},
+      {options_.resting_probability, &events_.resting}};
+  double kind = std::uniform_real_distribution<>()(random);
+  for (const auto& [probability, list] : kinds) {
+    if (kind < probability) return list->empty() ? nullptr : list;
+    kind -= probability;
+  }
+  return nullptr;
+}
+
 Window WindowSampler::draw(int num_steps, std::mt19937_64& random) const {
   const int s = draw_step_size(num_steps, random);
   const int last_start = num_frames_ - 1 - s * (num_steps + 1);
-  const double kind = std::uniform_real_distribution<>()(random);
-  const std::vector<ContactEvent>* list = nullptr;
-  if (kind < options_.mid_air_probability) {
-    list = &events_.mid_air;
-  } else if (kind < options_.mid_air_probability + options_.floor_probability) {
-    list = &events_.floor;
-  }
-  if (list == nullptr || list->empty()) {
+  const std::vector<ContactEvent>* list = draw_kind(random);
+  if (list == nullptr) {
     return {uniform_int(0, num_scenes_ - 1, random), uniform_int(0, last_start, random), s};
   }
   const ContactEvent& event = (*list)[static_cast<size_t>(uniform_int(0, static_cast<int>(list->size()) - 1, random))];

@@ -130,6 +130,41 @@ TEST(Protocol, HandsOutEveryRolloutWithItsErrors) {
   EXPECT_THROW(options.validate(), std::invalid_argument);
 }
 
+TEST(Protocol, DriftCountsOnlyWhatLiesStill) {
+  // Object 0 of the second scene lies still from frame 10 on; the first scene has nothing at rest.
+  SceneArchive archive = flying_set(2, 130);
+  auto& poses = archive.scenes[1].objects[0].T_world_object;
+  for (std::size_t frame = 10; frame < poses.size(); ++frame)
+    poses[frame] = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}};
+  class StillDrifting : public Forecaster {
+   public:
+    std::string name() const override { return "still_drifting"; }
+    std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
+                                                      const RolloutOptions& rollout) override {
+      std::vector<std::vector<RigidTransform>> forecast;
+      for (const ObjectState& object : objects) {
+        forecast.emplace_back(static_cast<std::size_t>(rollout.num_steps) + 1, object.T_world_current);
+        for (std::size_t k = 0; k < forecast.back().size(); ++k) {
+          forecast.back()[k].translation.x() += 0.01 * static_cast<double>(k);
+        }
+      }
+      return forecast;
+    }
+  } drifting;
+  ProtocolOptions options;
+  options.starts = {20};
+  options.steps = {10};
+  options.horizons = {50, 100};
+  options.resting_only = true;
+  const auto scores = evaluate(archive, {&drifting}, options);
+  ASSERT_EQ(scores.size(), 2U);
+  EXPECT_EQ(scores[1].num_scenes, 1);
+  EXPECT_NEAR(scores[0].error.position_rmse_m, 0.04, 1e-9);
+  EXPECT_NEAR(scores[1].error.position_rmse_m, 0.09, 1e-9);
+  options.starts = {0};
+  EXPECT_THROW(evaluate(archive, {&drifting}, options), std::invalid_argument);  // still in flight at frame 0
+}
+
 TEST(Protocol, RefusesScenesThatAreTooShortAndBadOptions) {
   BallisticForecaster ballistic;
   ProtocolOptions options;

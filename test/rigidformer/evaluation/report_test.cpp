@@ -34,9 +34,9 @@ TEST(Report, PrintsOneRowPerModelAndNotesInterpolation) {
 
 TEST(Report, WritesEveryScoreToJson) {
   const auto path = std::filesystem::path(testing::TempDir()) / "scores.json";
-  ObservationOptions observation;
-  observation.one_view = true;
-  write_scores_json(path, two_rows(), observation);
+  ProtocolOptions protocol;
+  protocol.observation.one_view = protocol.resting_only = true;
+  write_scores_json(path, two_rows(), protocol);
   const auto document = nlohmann::json::parse(std::ifstream(path));
   ASSERT_EQ(document.at("results").size(), 4U);
   const auto& result = document["results"][1];
@@ -49,6 +49,7 @@ TEST(Report, WritesEveryScoreToJson) {
   EXPECT_EQ(result.at("position_rmse_m"), 0.25);
   EXPECT_EQ(result.at("orientation_rmse_deg"), 11.5);
   EXPECT_EQ(document.at("conditions").at("one_view"), true);
+  EXPECT_EQ(document["conditions"].at("resting_only"), true);
   EXPECT_EQ(document["conditions"].at("points"), 256);
 }
 

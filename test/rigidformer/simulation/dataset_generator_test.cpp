@@ -94,7 +94,9 @@ TEST_F(DatasetGenerator, RefusesToMixData) {
   other_set.set = "movi_a";
   DatasetOptions other_format = options();
   other_format.format = "kubric";
-  for (const DatasetOptions& other : {other_seed, other_set, other_format}) {
+  DatasetOptions other_frames = options();
+  other_frames.movi.first_frame = 5;
+  for (const DatasetOptions& other : {other_seed, other_set, other_format, other_frames}) {
     EXPECT_THROW(generate_dataset(other, log_), std::runtime_error);
   }
   DatasetOptions foreign = options();
@@ -105,6 +107,9 @@ TEST_F(DatasetGenerator, RefusesToMixData) {
 TEST_F(DatasetGenerator, BadOptionsAreRefusedBeforeAnythingIsWritten) {
   DatasetOptions bad = options();
   bad.num_scenes = 0;
+  EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
+  bad = options();
+  bad.movi.num_frames = 0;
   EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
   bad = options();
   bad.format = "zip";

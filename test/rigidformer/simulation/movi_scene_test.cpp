@@ -94,6 +94,23 @@ TEST_P(MoviScene, SameSeedSameSceneAndOthersDiffer) {
   EXPECT_NE(first_position(1, 2), first_position(1, 3));
 }
 
+TEST_P(MoviScene, ALaterFirstFrameShowsTheSameMotionLater) {
+  MoviOptions whole, later;
+  whole.num_frames = 60;
+  later.num_frames = 20;
+  later.first_frame = 40;
+  const SceneRecording a = generate_movi_scene(GetParam(), shapes_, 3, 0, whole);
+  const SceneRecording b = generate_movi_scene(GetParam(), shapes_, 3, 0, later);
+  EXPECT_EQ(b.num_frames, 20);
+  for (std::size_t i = 0; i < a.objects.size(); ++i) {
+    ASSERT_EQ(b.objects[i].T_world_object.size(), 20u);
+    EXPECT_EQ(a.objects[i].T_world_object[40].translation, b.objects[i].T_world_object[0].translation);
+    EXPECT_EQ(a.objects[i].velocities[59], b.objects[i].velocities[19]);
+  }
+  later.first_frame = -1;
+  EXPECT_THROW(generate_movi_scene(GetParam(), shapes_, 3, 0, later), std::invalid_argument);
+}
+
 /// Kinetic and potential energy [J]; inertia of the bounding box, as the simulation uses it.
 double energy(const RecordedObject& object, const std::vector<Shape>& shapes, std::size_t frame) {
   const Points vertices = shape_of(object, shapes).vertices();

@@ -24,11 +24,11 @@ class RunLogTest : public ::testing::Test {
 };
 
 TEST_F(RunLogTest, AResumedRunAppendsBelowOneHeader) {
-  RunLog(folder_.path(), 20, false).write({10, 0.5, 1.25, 1e-3, 40.0, 2});
-  RunLog(folder_.path(), 20, true).write({20, 0.25, 1.0, 1e-4, 41.0, 3});
+  RunLog(folder_.path(), 20, false).write({10, 0.5, 1.25, 1e-3, 40.0, 0.25, 2});
+  RunLog(folder_.path(), 20, true).write({20, 0.25, 1.0, 1e-4, 41.0, 0.5, 3});
   EXPECT_EQ(text_of(folder_.path() / "log.csv"),
-            "iteration,loss,gradient_norm,learning_rate,windows_per_s,unroll_steps\n"
-            "10,0.5,1.25,0.001,40,2\n20,0.25,1,0.0001,41,3\n");
+            "iteration,loss,gradient_norm,learning_rate,windows_per_s,share_of_peak,unroll_steps\n"
+            "10,0.5,1.25,0.001,40,0.25,2\n20,0.25,1,0.0001,41,0.5,3\n");
   RunLog(folder_.path(), 20, false).note("fresh");
   EXPECT_EQ(text_of(folder_.path() / "log.csv").find("10,"), std::string::npos);
   EXPECT_EQ(text_of(folder_.path() / "validation.log"), "fresh\n");
@@ -36,9 +36,10 @@ TEST_F(RunLogTest, AResumedRunAppendsBelowOneHeader) {
 
 TEST_F(RunLogTest, ProgressLineShowsTheTimeLeftOnceItIsKnown) {
   RunLog log(folder_.path(), 1000, false);
-  log.write({10, 0.5, 1.0, 1e-3, 40.0, 1});
+  log.write({10, 0.5, 1.0, 1e-3, 40.0, 0.123, 1});
   EXPECT_EQ(quiet_.text().find("ETA"), std::string::npos);
-  log.write({20, 0.4, 1.0, 1e-3, 40.0, 1});
+  log.write({20, 0.4, 1.0, 1e-3, 40.0, 0.123, 1});
+  EXPECT_NE(quiet_.text().find("12 % of the matrix peak"), std::string::npos) << quiet_.text();
   EXPECT_NE(quiet_.text().find("iteration 20/1000"), std::string::npos) << quiet_.text();
   EXPECT_NE(quiet_.text().find("ETA"), std::string::npos) << quiet_.text();
 }
@@ -50,8 +51,8 @@ TEST_F(RunLogTest, DrawsTheLossWhateverTheFolderIsCalled) {
   const std::filesystem::path folder = folder_.path() / "it's a \"run\"; $(touch x)";
   std::filesystem::create_directory(folder);
   RunLog log(folder, 20, false);
-  log.write({10, 0.5, 1.0, 1e-3, 40.0, 1});
-  log.write({20, 0.25, 1.0, 1e-4, 40.0, 1});
+  log.write({10, 0.5, 1.0, 1e-3, 40.0, 0.1, 1});
+  log.write({20, 0.25, 1.0, 1e-4, 40.0, 0.1, 1});
   log.plot();
   const std::string svg = text_of(folder / "loss.svg");
   EXPECT_NE(svg.find("training loss"), std::string::npos) << quiet_.text();

@@ -32,7 +32,7 @@ TEST(WindowSamplerTest, WindowsFitIntoTheScene) {
   WindowOptions options;
   options.any_step_probability = 0.3;
   options.mid_air_probability = options.floor_probability = 0.3;
-  const WindowSampler draws = sampler(options, {{{1, 0}, {2, 99}}, {{3, 1}, {0, 98}}});
+  const WindowSampler draws = sampler(options, {{{1, 0}, {2, 99}}, {{3, 1}, {0, 98}}, {}, {}});
   std::mt19937_64 random(1);
   std::set<int> scenes, frames;
   for (const int num_steps : {1, 2, 6}) {
@@ -49,6 +49,26 @@ TEST(WindowSamplerTest, WindowsFitIntoTheScene) {
   EXPECT_EQ(scenes, (std::set<int>{0, 1, 2, 3}));
   EXPECT_EQ(*frames.begin(), 0);
   EXPECT_EQ(*frames.rbegin(), kFrames - 3);  // the last window of the smallest step
+}
+
+TEST(WindowSamplerTest, KindsAreDrawnAsOftenAsAskedFor) {
+  WindowOptions options;
+  options.step_sizes = {1};
+  options.mid_air_probability = 0.1;
+  options.floor_probability = 0.2;
+  options.rolling_probability = 0.3;
+  options.resting_probability = 0.4;
+  // Every kind in a scene of its own: the scene tells the kind.
+  const WindowSampler draws = sampler(options, {{{0, 50}}, {{1, 50}}, {{2, 50}}, {{3, 50}}});
+  std::mt19937_64 random(9);
+  std::vector<double> share(4, 0.0);
+  for (int i = 0; i < 20000; ++i) share[static_cast<size_t>(draws.draw(1, random).scene)] += 1.0 / 20000.0;
+  for (int kind = 0; kind < 4; ++kind) EXPECT_NEAR(share[static_cast<size_t>(kind)], 0.1 * (kind + 1), 0.02);
+  // A kind that does not occur falls back to any time of any scene.
+  std::set<int> scenes;
+  const WindowSampler lacking = sampler(options, {{{0, 50}}, {{0, 50}}, {}, {}});
+  for (int i = 0; i < 500; ++i) scenes.insert(lacking.draw(1, random).scene);
+  EXPECT_EQ(scenes, (std::set<int>{0, 1, 2, 3}));
 }
 
 TEST(WindowSamplerTest, StepSizesComeFromTheList) {
@@ -68,7 +88,7 @@ TEST(WindowSamplerTest, StepSizesComeFromTheList) {
 }
 
 TEST(WindowSamplerTest, EventsLieInThePredictedPart) {
-  const ContactEvents events{{{2, 60}, {0, 99}}, {{3, 10}}};
+  const ContactEvents events{{{2, 60}, {0, 99}}, {{3, 10}}, {}, {}};
   for (const bool mid_air : {true, false}) {
     WindowOptions options;
     options.any_step_probability = 0.5;
@@ -141,6 +161,8 @@ TEST(WindowSamplerTest, BadOptionsAreRefusedByName) {
   EXPECT_NE(refusal([](auto& o) { o.floor_probability = std::nan(""); }).find("floor_probability"), std::string::npos);
   EXPECT_NE(refusal([](auto& o) { o.mid_air_probability = o.floor_probability = 0.6; }).find("floor_probability"),
             std::string::npos);
+  EXPECT_NE(refusal([](auto& o) { o.rolling_probability = o.resting_probability = 0.6; }).find("resting_probability"),
+            std::string::npos);
 }
 
 class ContactEventsTest : public ::testing::Test {
@@ -158,6 +180,20 @@ class ContactEventsTest : public ::testing::Test {
 
 TEST_F(ContactEventsTest, FreeFlightHasNone) {
   const ContactEvents events = find_contact_events(make_scene_tensors({flying_cubes_archive({1, 3}, 60)}, {2, 16, 1}));
+  EXPECT_TRUE(events.mid_air.empty());
+  EXPECT_TRUE(events.floor.empty());
+  EXPECT_TRUE(events.rolling.empty());
+  EXPECT_TRUE(events.resting.empty());
+}
+
+TEST_F(ContactEventsTest, RestAndRollingAreToldApart) {
+  const SceneRecording rest = moving_cube(60, [](double) { return Eigen::Vector3d(1.0, 2.0, 0.5); });
+  const SceneRecording slide = moving_cube(60, [](double t) { return Eigen::Vector3d(1.0 * t, 0.0, 0.5); });
+  const ContactEvents events = find({rest, slide});
+  ASSERT_EQ(events.resting.size(), 7u);  // frames 8, 16, ..., 56
+  for (const ContactEvent& event : events.resting) EXPECT_EQ(event.scene, 0);
+  ASSERT_EQ(events.rolling.size(), 7u);
+  for (const ContactEvent& event : events.rolling) EXPECT_EQ(event.scene, 1);
   EXPECT_TRUE(events.mid_air.empty());
   EXPECT_TRUE(events.floor.empty());
 }

@@ -106,6 +106,8 @@ std::map<std::string, std::string> defaults() {
           {"/model/precision", p.model.precision},
           {"/model/num_threads", text_of(p.model.num_threads)},
           {"/model/warmup_runs", text_of(p.model.warmup_runs)},
+          {"/model/rest_speed", text_of(p.model.rest_speed)},
+          {"/model/rest_spin", text_of(p.model.rest_spin)},
           {"/predict/rate", text_of(p.predict.rate)},
           {"/predict/num_steps", text_of(p.predict.num_steps)},
           {"/predict/time_step", text_of(p.predict.time_step)},
