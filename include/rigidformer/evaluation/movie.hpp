@@ -12,11 +12,10 @@ namespace rigidformer {
 
 /// What to show, in frames of the recording.
 struct MovieOptions {
-  int start = 120;        ///< First given frame
-  int step = 10;          ///< Frames per predicted step, and per picture
-  int num_steps = 24;     ///< Predicted steps
-  double extent_m = 6.0;  ///< Pictures show |x|, |y| up to this
-  int picture_time = 8;   ///< Hundredths of a second per picture
+  int start = 120;       ///< First given frame
+  int step = 10;         ///< Frames per predicted step, and per picture
+  int num_steps = 24;    ///< Predicted steps
+  int picture_time = 8;  ///< Hundredths of a second per picture
 };
 
 /// Draws the recorded and the predicted motion of the observed points side by side as an animated GIF, a colour per

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/evaluation/movie.hpp"
 
+#include <Eigen/Geometry>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "rigidformer/io/gnuplot.hpp"
 
@@ -13,6 +15,8 @@ namespace rigidformer {
 namespace {
 
 using Poses = std::vector<RigidTransform>;
+
+constexpr double kMargin_m = 0.8;  // around the outermost object's origin
 
 /// One line per point: position and the object's number.
 void write_block(std::ostream& script, const std::string& name, const std::vector<ObjectState>& objects,
@@ -34,17 +38,29 @@ void write_picture(std::ostream& script, const std::string& title, const std::ve
   script << "set multiplot layout 1,2 title '" << title << "'\n";
   for (const char* side : {"recorded", "predicted"}) {
     script << "set title '" << side << "' offset 0,-1\nsplot $" << side
-           << " using 1:2:3:4 with points pt 7 ps 0.35 lc variable notitle\n";
+           << " using 1:2:3:4 with points pt 7 ps 0.45 lc variable notitle\n";
   }
   script << "unset multiplot\n";
 }
 
-std::string header(const std::filesystem::path& gif, const MovieOptions& options) {
+/// The square on the ground over which the recorded objects move: its middle and half its side.
+std::pair<Eigen::Vector2d, double> shown_square(const SceneRecording& scene, int first_frame, int last_frame) {
+  Eigen::AlignedBox2d box;
+  for (const RecordedObject& object : scene.objects) {
+    for (int frame = first_frame; frame <= last_frame; ++frame) {
+      box.extend(object.T_world_object.at(static_cast<std::size_t>(frame)).translation.head<2>());
+    }
+  }
+  return {box.center(), 0.5 * box.sizes().maxCoeff() + kMargin_m};
+}
+
+std::string header(const std::filesystem::path& gif, const MovieOptions& options, const Eigen::Vector2d& middle,
+                   double e) {
   std::ostringstream script;
-  const double e = options.extent_m;
   script << "set terminal gif animate delay " << options.picture_time << " loop 0 size 900,420 background '#ffffff'\n"
-         << "set output " << gnuplot_string(gif) << "\nset view 68,30,1.35,1\nset view equal xyz\nset xyplane at 0\n"
-         << "set xrange [" << -e << ':' << e << "]\nset yrange [" << -e << ':' << e << "]\nset zrange [0:" << 0.6 * e
+         << "set output " << gnuplot_string(gif) << "\nset view 65,30,1.65,1\nset view equal xyz\nset xyplane at 0\n"
+         << "set xrange [" << middle.x() - e << ':' << middle.x() + e << "]\nset yrange [" << middle.y() - e << ':'
+         << middle.y() + e << "]\nset zrange [0:" << e
          << "]\nset format ''\nset grid\nset border 31 lc '#bbbbbb'\nunset key\n";
   return script.str();
 }
@@ -65,7 +81,8 @@ bool draw_movie(const std::filesystem::path& gif, const SceneRecording& scene, c
   const auto objects = observer.observe(scene, options.start + options.step, options.step);
   const auto forecast = forecaster.forecast(objects, rollout);
   std::ostringstream script;
-  script << header(gif, options);
+  const auto [middle, half_side_m] = shown_square(scene, options.start, last_frame);
+  script << header(gif, options, middle, half_side_m);
   for (int k = 0; k <= options.num_steps; ++k) {
     Poses recorded, predicted;
     for (std::size_t i = 0; i < objects.size(); ++i) {
