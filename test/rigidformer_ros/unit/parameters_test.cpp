@@ -93,6 +93,11 @@ std::map<std::string, std::string> defaults() {
           {"/input/min_points", text_of(p.input.min_points)},
           {"/input/max_points", text_of(p.input.max_points)},
           {"/input/sync_window", text_of(p.input.sync_window)},
+          {"/input/cloud", p.input.cloud},
+          {"/input/max_cloud_points", text_of(p.input.max_cloud_points)},
+          {"/input/label_names", "[0]"},
+          {"/input/object_clouds", p.input.object_clouds},
+          {"/input/pose_frame_prefix", p.input.pose_frame_prefix},
           {"/history/min_dt", text_of(p.history.min_dt)},
           {"/history/max_dt", text_of(p.history.max_dt)},
           {"/history/object_timeout", text_of(p.history.object_timeout)},
@@ -170,6 +175,15 @@ TEST(Parameters, ReadsValues) {
   EXPECT_FALSE(resolve_properties(p.properties, "mug", {}).restitution);
 }
 
+TEST(Parameters, ReadsWhatLabelsMean) {
+  const NodeParameters p = read_yaml("{input: {label_names: [{label: 7, id: table, mode: static, friction: 0.4}]}}");
+  ASSERT_EQ(p.input.label_names.size(), 1U);
+  EXPECT_EQ(p.input.label_names[0].label, 7U);
+  EXPECT_EQ(p.input.label_names[0].id, "table");
+  EXPECT_EQ(p.input.label_names[0].mode, rigidformer::MotionMode::kStatic);
+  EXPECT_EQ(p.input.label_names[0].properties.friction, 0.4);
+}
+
 TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
   const std::pair<const char*, std::pair<const char*, const char*>> cases[] = {
       {"{predict: {num_steps: '10'}}", {"predict/num_steps", "an integer in [1, 10000]"}},
@@ -190,6 +204,11 @@ TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
       {"{input: {objects: [{id: a, topic: x}, {id: a, topic: z}]}}", {"input/objects[1]/id", "listed twice"}},
       {"{input: {objects: [{id: a, topic: x, mode: fixed}]}}", {"input/objects[0]/mode", "dynamic | kinematic"}},
       {"{input: {object_topics: /objects/points}}", {"input/object_topics", "one '*'"}},
+      {"{input: {label_names: [{id: cup}]}}", {"input/label_names[0]/label", "missing"}},
+      {"{input: {label_names: [{label: 3}]}}", {"input/label_names[0]/id", "missing"}},
+      {"{input: {label_names: [{label: 0, id: a}]}}", {"input/label_names[0]/label", "an integer in [1,"}},
+      {"{input: {label_names: [{label: 1, id: a}, {label: 1, id: b}]}}", {"input/label_names[1]", "listed twice"}},
+      {"{input: {label_names: [{label: 1, id: a}, {label: 2, id: a}]}}", {"input/label_names[1]", "listed twice"}},
       {"{input: {queue_size: -1}}", {"input/queue_size", "[1, 1000]"}},
       {"{properties: {restitution: 1.5}}", {"properties/restitution", "[0, 1]"}}};
   for (const auto& [text, parts] : cases) {
