@@ -57,8 +57,18 @@ struct HistoryParameters {
 };
 
 struct CorrespondenceParameters {
-  std::string method = "ordered";  ///< ordered: same points in the same order in every cloud
+  std::string method = "ordered";  ///< ordered: same points in the same order; registration: any points; pose: given
   double max_rmse = 0.02;          ///< [m] above this the observed pose counts as LOW_QUALITY
+  // For registration and pose; "size" is the object's diameter.
+  double noise = 0.003;                      ///< [m] standard deviation of a measured point
+  double min_inlier_ratio = 0.6;             ///< Share of a cloud that must lie on the reference surface
+  double voxel_size = 0.03;                  ///< [size] spacing of the reference cloud
+  int max_reference_points = 4000;           ///< The spacing grows when the reference would have more
+  double max_correspondence_distance = 0.1;  ///< [size] farther points do not attract each other
+  int max_iterations = 30;
+  int max_registered_points = 400;  ///< Clouds are thinned to this many for registration
+  double max_rotation = 0.6;        ///< [rad] a registered rotation farther from the predicted one is refused
+  int max_failures = 5;             ///< After this many clouds in a row that do not fit the track begins anew
 };
 
 struct PredictParameters {

@@ -118,6 +118,20 @@ void read_history(ParameterReader& reader, HistoryParameters& history) {
   }
 }
 
+void read_correspondence(ParameterReader& reader, CorrespondenceParameters& correspondence) {
+  reader.read("method", correspondence.method, {"ordered", "registration", "pose"});
+  reader.read("max_rmse", correspondence.max_rmse, {1e-6, 10.0});
+  reader.read("noise", correspondence.noise, {1e-6, 1.0});
+  reader.read("min_inlier_ratio", correspondence.min_inlier_ratio, {0.0, 1.0});
+  reader.read("voxel_size", correspondence.voxel_size, {0.005, 0.5});
+  reader.read("max_reference_points", correspondence.max_reference_points, {50, 1e5});
+  reader.read("max_correspondence_distance", correspondence.max_correspondence_distance, {0.01, 1.0});
+  reader.read("max_iterations", correspondence.max_iterations, {1, 1000});
+  reader.read("max_registered_points", correspondence.max_registered_points, {50, 1e5});
+  reader.read("max_rotation", correspondence.max_rotation, {0.01, 3.15});
+  reader.read("max_failures", correspondence.max_failures, {0, 1000});
+}
+
 void read_model(ParameterReader& reader, rigidformer::PredictorOptions& model) {
   reader.read("file", model.file);
   reader.read("device", model.device);
@@ -189,10 +203,7 @@ NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree) {
   reader.read("max_stamp_skew", p.max_stamp_skew, kPositiveSeconds);
   reader.group("input", [&](ParameterReader& group) { read_input(group, p.input); });
   reader.group("history", [&](ParameterReader& group) { read_history(group, p.history); });
-  reader.group("correspondence", [&](ParameterReader& group) {
-    group.read("method", p.correspondence.method, {"ordered"});
-    group.read("max_rmse", p.correspondence.max_rmse, {1e-6, 10.0});
-  });
+  reader.group("correspondence", [&](ParameterReader& group) { read_correspondence(group, p.correspondence); });
   reader.group("model", [&](ParameterReader& group) { read_model(group, p.model); });
   reader.group("predict", [&](ParameterReader& group) { read_predict(group, p.predict); });
   reader.group("service", [&](ParameterReader& group) { read_service(group, p.service); });

@@ -80,6 +80,17 @@ void check_interval(const ObjectClouds& scene, const ObjectClouds& previous, con
   }
 }
 
+// What a track is asked to take in must belong to it, and come with a pose where poses are asked for.
+void require_taken(AddResult result, const std::string& field, const std::string& id, bool must_extend) {
+  if (result == AddResult::kNoPose) {
+    reject(field + ".poses: lacks the pose of '" + id + "', correspondence/method is pose");
+  }
+  if (must_extend && result != AddResult::kExtended && result != AddResult::kLowQuality) {
+    reject("previous_scene object '" + id +
+           "': other points than in scene, or a motion faster than history/max_speed or max_angular_speed");
+  }
+}
+
 }  // namespace
 
 void check_lengths(const ObjectClouds& clouds, const std::string& field) {
@@ -140,16 +151,13 @@ TrackStore track_scenes(const ObjectClouds& scene, const ObjectClouds& previous,
   const bool has_previous = !is_empty(previous);
   if (has_previous) {
     for (const ObjectObservation& object : read_scene(previous, "previous_scene", parameters, T_fixed_from)) {
-      tracks.add(object);
+      require_taken(tracks.add(object), "previous_scene", object.id, false);
     }
     check_same_objects(scene, previous);
     check_interval(scene, previous, parameters.history);
   }
   for (const ObjectObservation& object : read_scene(scene, "scene", parameters, T_fixed_from)) {
-    if (tracks.add(object) != AddResult::kExtended && has_previous) {
-      reject("previous_scene object '" + object.id +
-             "': other points than in scene, or a motion faster than history/max_speed or max_angular_speed");
-    }
+    require_taken(tracks.add(object), "scene", object.id, has_previous);
   }
   return tracks;
 }
