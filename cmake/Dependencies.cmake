@@ -59,3 +59,11 @@ else()
   message(STATUS "${PROJECT_NAME}: Qhull or HACD not found. `evaluate --baselines bullet_parts` is NOT built (install "
                  "libqhull-dev and libbullet-extras-dev).")
 endif()
+
+# For the example that segments the clouds of a bare depth camera.
+if(RIGIDFORMER_ROS)
+  find_package(PCL QUIET COMPONENTS common kdtree search sample_consensus segmentation)
+  if(NOT PCL_FOUND)
+    message(STATUS "${PROJECT_NAME}: PCL not found. The example `segment_cloud` is NOT built (install libpcl-dev).")
+  endif()
+endif()

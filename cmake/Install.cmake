@@ -13,7 +13,8 @@ endif()
 
 set(programs ${RIGIDFORMER_APPS})
 set(libraries rigidformer_core)
-foreach(target prediction_node demo_publisher forecast_report)
+foreach(target prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud
+        tracking_accuracy)
   if(TARGET ${target})
     list(APPEND programs ${target})
   endif()

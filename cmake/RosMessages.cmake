@@ -2,8 +2,8 @@
 if(RIGIDFORMER_MESSAGES_ONLY)
   set(ros_packages geometry_msgs sensor_msgs std_msgs)
 else()
-  set(ros_packages geometry_msgs nav_msgs roscpp rosgraph_msgs roslib sensor_msgs std_msgs std_srvs tf2 tf2_ros
-      visualization_msgs)
+  set(ros_packages geometry_msgs nav_msgs roscpp rosbag_storage rosgraph_msgs roslib sensor_msgs std_msgs std_srvs
+      tf2 tf2_msgs tf2_ros visualization_msgs)
   # What other packages may link; LibTorch and Bullet stay inside these libraries.
   set(exported_libraries rigidformer rigidformer_core)
   set(exported_folders include)

@@ -30,7 +30,7 @@ done
 for program in generate_scenes train evaluate model_info; do
   "$1/lib/rigidformer_ros/$program" --help >/dev/null
 done
-for program in prediction_node demo_publisher forecast_report; do
+for program in prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud tracking_accuracy; do
   if ldd "$1/lib/rigidformer_ros/$program" | grep 'not found'; then exit 1; fi
 done
 

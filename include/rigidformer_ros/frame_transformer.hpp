@@ -27,6 +27,8 @@ class FrameTransformer {
 
   /// Throws TransformError when the transform does not exist at `stamp`. An empty frame_id throws too.
   rigidformer::RigidTransform T_fixed_from(const std::string& frame_id, const ros::Time& stamp) const;
+  /// Same with a wait of its own [s].
+  rigidformer::RigidTransform T_fixed_from(const std::string& frame_id, const ros::Time& stamp, double timeout_s) const;
 
   const std::string& fixed_frame() const { return fixed_frame_; }
 

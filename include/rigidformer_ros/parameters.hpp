@@ -4,6 +4,7 @@
 
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,14 +24,27 @@ struct ListedObject {
   rigidformer::PhysicalProperties properties;
 };
 
+/// What the points of one label are, an entry of `input/label_names`.
+struct NamedLabel {
+  std::uint32_t label = 0;
+  std::string id;
+  rigidformer::MotionMode mode = rigidformer::MotionMode::kDynamic;
+  rigidformer::PhysicalProperties properties;
+};
+
 struct InputParameters {
   std::vector<ListedObject> objects;
   std::string object_topics = "/objects/*/points";  ///< One '*' stands for the object's id; "" = only listed objects
   double discovery_period = 1.0;                    ///< [s] wall time between looks for new topics
   int queue_size = 5;                               ///< Clouds kept per topic
   int min_points = 4;                               ///< Finite points below which a cloud is rejected
-  int max_points = 200000;                          ///< Points above which a cloud is rejected
-  double sync_window = 0.1;  ///< [s] an object seen longer ago than this before the newest sits out
+  int max_points = 200000;                          ///< Points of one object above which its cloud is rejected
+  double sync_window = 0.1;                     ///< [s] an object seen longer ago than this before the newest sits out
+  std::string cloud;                            ///< Topic of a cloud with a label per point; "" = none
+  int max_cloud_points = 4000000;               ///< Points of all objects and the background above which it is rejected
+  std::vector<NamedLabel> label_names;          ///< Other labels are the dynamic objects obj_<label>
+  std::string object_clouds = "object_clouds";  ///< Topic of rigidformer_ros/ObjectClouds; "" = none
+  std::string pose_frame_prefix;                ///< tf frame <prefix><id> is the pose of an object; "" = no such frames
 };
 
 struct HistoryParameters {
@@ -43,8 +57,18 @@ struct HistoryParameters {
 };
 
 struct CorrespondenceParameters {
-  std::string method = "ordered";  ///< ordered: same points in the same order in every cloud
+  std::string method = "ordered";  ///< ordered: same points in the same order; registration: any points; pose: given
   double max_rmse = 0.02;          ///< [m] above this the observed pose counts as LOW_QUALITY
+  // For registration and pose; "size" is the object's diameter.
+  double noise = 0.003;                      ///< [m] standard deviation of a measured point
+  double min_inlier_ratio = 0.6;             ///< Share of a cloud that must lie on the reference surface
+  double voxel_size = 0.03;                  ///< [size] spacing of the reference cloud
+  int max_reference_points = 4000;           ///< The spacing grows when the reference would have more
+  double max_correspondence_distance = 0.1;  ///< [size] farther points do not attract each other
+  int max_iterations = 30;
+  int max_registered_points = 400;  ///< Clouds are thinned to this many for registration
+  double max_rotation = 0.6;        ///< [rad] a registered rotation farther from the predicted one is refused
+  int max_failures = 5;             ///< After this many clouds in a row that do not fit the track begins anew
 };
 
 struct PredictParameters {

@@ -28,6 +28,10 @@ class PoseHistory {
   /// Pose `seconds` before `stamp` (an instant that ros::Time may be unable to hold).
   std::optional<RigidTransform> pose_before(const ros::Time& stamp, double seconds) const;
 
+  /// Pose at `stamp`, however far after newest_stamp(), if the twist of the last frames stayed constant; the newest
+  /// pose where there is no other. The history must not be empty.
+  RigidTransform predict(const ros::Time& stamp) const;
+
   const ros::Time& newest_stamp() const { return entries_.back().stamp; }
   const RigidTransform& newest_pose() const { return entries_.back().T_world_object; }
   std::size_t size() const { return entries_.size(); }

@@ -18,6 +18,8 @@
 #include "rigidformer_ros/parameters.hpp"
 #include "rigidformer_ros/rejection_log.hpp"
 #include "rigidformer_ros/rollout_service.hpp"
+#include "rigidformer_ros/scene_inputs.hpp"
+#include "rigidformer_ros/scene_intake.hpp"
 
 namespace rigidformer_ros {
 
@@ -38,8 +40,6 @@ class PredictionNode {
     ros::AsyncSpinner spinner;
   };
 
-  void on_cloud(const ListedObject& source, const sensor_msgs::PointCloud2& cloud);
-  void take_in(const ListedObject& source, const sensor_msgs::PointCloud2& cloud);
   void on_forecast_timer();
   void forecast_newest_scene();
   void on_report_timer();
@@ -48,6 +48,7 @@ class PredictionNode {
   RejectionLog rejections_;
   FrameTransformer frames_;
   LiveScene live_scene_;
+  SceneIntake intake_;
   Forecaster forecaster_;
   Lane input_lane_;
   Lane forecast_lane_;
@@ -55,6 +56,7 @@ class PredictionNode {
   ForecastPublisher publisher_;
   RolloutService service_;
   ObjectInputs inputs_;
+  SceneInputs scene_inputs_;
   ros::Time last_forecast_stamp_;
   std::size_t last_forecast_size_ = 0;
   bool reported_ready_ = false;

@@ -31,6 +31,14 @@ using FrameLookup = std::function<RigidTransform(const std::string& frame_id, co
 /// True when nothing in the message is filled.
 bool is_empty(const ObjectClouds& clouds);
 
+/// Throws RequestError when the arrays of `clouds` do not belong together or there is no object. `field` is its name in
+/// messages.
+void check_lengths(const ObjectClouds& clouds, const std::string& field);
+
+/// Object `i` of a message whose arrays fit, in the fixed frame. Throws std::invalid_argument naming what is at fault.
+ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, const NodeParameters& parameters,
+                              const RigidTransform& T_fixed_cloud);
+
 /// Checks a scene in a request and brings it into the fixed frame. `field` is its name in the request.
 /// Throws RequestError.
 std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std::string& field,

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "rigidformer/scene/object.hpp"
+#include "rigidformer_ros/cloud_registration.hpp"
+#include "rigidformer_ros/cloud_tracker.hpp"
 #include "rigidformer_ros/parameters.hpp"
 #include "rigidformer_ros/pose_history.hpp"
 
@@ -24,19 +26,13 @@ struct ObjectObservation {
   Points points_world;  ///< [N, 3] m
   rigidformer::MotionMode mode = rigidformer::MotionMode::kDynamic;
   rigidformer::PhysicalProperties properties;
-  std::optional<RigidTransform> T_world_object;  ///< From a tracker; empty = found by registration
-};
-
-/// How well the newest cloud agrees with the moved reference cloud.
-struct RegistrationQuality {
-  double rmse_m = 0.0;
-  double inlier_ratio = 1.0;  ///< Points within the accepted RMSE
+  std::optional<RigidTransform> T_world_object;  ///< From a tracker; empty = found from the points
 };
 
 struct ObservedObject {
   rigidformer::ObjectState state;  ///< Reference points about their centroid
   bool assumed_static = false;     ///< Seen too little to know its velocity
-  bool low_quality = false;
+  bool low_quality = false;        ///< The newest cloud does not fit a pose well
   RegistrationQuality quality;
 };
 
@@ -56,13 +52,15 @@ struct ObservedScene {
 /// What became of an observation.
 enum class AddResult {
   kExtended,       ///< Continued its track
+  kLowQuality,     ///< Likewise, but the cloud fits no pose well
   kNewTrack,       ///< Began a track
   kTimeRestarted,  ///< Stamp far in the past: everything was cleared, then a track begun
   kLate,           ///< Slightly older than the newest: dropped
   kTooFewPoints,   ///< Dropped
+  kNoPose,         ///< Dropped: correspondence is by pose and there is none
 };
 
-/// Keeps one track per object id: a reference cloud (the first seen) and the poses since. Knows time by stamps only.
+/// Keeps one track per object id: a reference cloud and the poses since it began. Knows time by stamps only.
 class TrackStore {
  public:
   TrackStore(const InputParameters& input, const HistoryParameters& history,
@@ -78,17 +76,25 @@ class TrackStore {
 
  private:
   struct Track {
-    Points points_reference;  ///< All rows, about the centroid of the finite ones
-    std::vector<int> rows;    ///< Finite rows of the reference
+    Points points_reference;              ///< Ordered: all rows, about the centroid of the finite ones
+    std::vector<int> rows;                ///< Ordered: finite rows of the reference
+    std::optional<CloudTracker> tracker;  ///< Otherwise
+    bool frame_is_given = false;          ///< The object frame is that of given poses
     PoseHistory poses;
     RegistrationQuality quality;
+    bool low_quality = false;
     rigidformer::MotionMode mode;
     rigidformer::PhysicalProperties properties;
   };
 
   AddResult begin_track(const ObjectObservation& observation);
-  bool extend_track(Track& track, const ObjectObservation& observation) const;
+  AddResult extend_track(Track& track, const ObjectObservation& observation);
+  std::optional<CloudRegistration> match_rows(const Track& track, const ObjectObservation& observation) const;
+  std::optional<CloudRegistration> follow(Track& track, const ObjectObservation& observation) const;
+  double seconds_since(const Track& track, const ros::Time& stamp) const;
+  bool is_too_fast(const Track& track, const ros::Time& stamp, const RigidTransform& T_world_object) const;
   void forget_unseen();
+  bool is_ordered() const { return correspondence_.method == "ordered"; }
   bool is_static(const Track& track) const { return track.mode == rigidformer::MotionMode::kStatic; }
   ros::Time newest_stamp() const;
   ros::Time common_stamp(const ros::Time& newest) const;

@@ -20,13 +20,18 @@ FrameTransformer::FrameTransformer(std::string fixed_frame, double timeout_s)
     : fixed_frame_(std::move(fixed_frame)), timeout_s_(timeout_s), listener_(buffer_) {}
 
 rigidformer::RigidTransform FrameTransformer::T_fixed_from(const std::string& frame_id, const ros::Time& stamp) const {
+  return T_fixed_from(frame_id, stamp, timeout_s_);
+}
+
+rigidformer::RigidTransform FrameTransformer::T_fixed_from(const std::string& frame_id, const ros::Time& stamp,
+                                                           double timeout_s) const {
   if (frame_id == fixed_frame_) {
     return {};
   }
   if (frame_id.empty()) {
     throw TransformError("header.frame_id is empty, cannot be brought into '" + fixed_frame_ + "'");
   }
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout_s_);
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout_s);
   while (true) {
     try {
       return to_transform(buffer_.lookupTransform(fixed_frame_, frame_id, stamp).transform);

@@ -30,6 +30,12 @@ void LiveScene::add(const ObjectObservation& observation) {
     case AddResult::kTooFewPoints:
       rejections_.add("too few points", "'" + observation.id + "': fewer finite points than input/min_points");
       break;
+    case AddResult::kNoPose:
+      rejections_.add("no pose", "'" + observation.id + "': correspondence/method is pose, but no pose came with it");
+      break;
+    case AddResult::kLowQuality:
+      rejections_.add("cloud that fits no pose well", "'" + observation.id + "': forecast with status LOW_QUALITY");
+      break;
     case AddResult::kTimeRestarted:
       ROS_INFO_STREAM("Stamps of '" << observation.id << "' jumped back: all tracks were cleared.");
       break;

@@ -30,19 +30,48 @@ void require_text(const ParameterReader& reader, const std::string& key, const s
   }
 }
 
+MotionMode read_mode(ParameterReader& reader) {
+  std::string mode = "dynamic";
+  reader.read("mode", mode, {"dynamic", "kinematic", "static"});
+  return mode == "static" ? MotionMode::kStatic : mode == "kinematic" ? MotionMode::kKinematic : MotionMode::kDynamic;
+}
+
 ListedObject read_listed_object(ParameterReader& reader) {
   ListedObject object;
-  std::string mode = "dynamic";
   reader.read("id", object.id);
   reader.read("topic", object.topic);
-  reader.read("mode", mode, {"dynamic", "kinematic", "static"});
+  object.mode = read_mode(reader);
   read_properties(reader, object.properties);
   require_text(reader, "id", object.id);
   require_text(reader, "topic", object.topic);
-  object.mode = mode == "static"      ? MotionMode::kStatic
-                : mode == "kinematic" ? MotionMode::kKinematic
-                                      : MotionMode::kDynamic;
   return object;
+}
+
+NamedLabel read_named_label(ParameterReader& reader) {
+  NamedLabel named;
+  int label = 0;
+  reader.read("label", label, {1.0, 2147483647.0});
+  reader.read("id", named.id);
+  named.mode = read_mode(reader);
+  read_properties(reader, named.properties);
+  require_text(reader, "id", named.id);
+  if (label == 0) {
+    throw std::invalid_argument("parameter " + reader.path() + "/label: is missing, must be a number from 1 on");
+  }
+  named.label = static_cast<std::uint32_t>(label);
+  return named;
+}
+
+void read_label_names(ParameterReader& reader, std::vector<NamedLabel>& names) {
+  std::set<std::uint32_t> labels;
+  std::set<std::string> ids;
+  reader.list("label_names", [&](ParameterReader& element) {
+    names.push_back(read_named_label(element));
+    if (!labels.insert(names.back().label).second || !ids.insert(names.back().id).second) {
+      throw std::invalid_argument("parameter " + element.path() + ": label " + std::to_string(names.back().label) +
+                                  " or id '" + names.back().id + "' is listed twice, both must be unique");
+    }
+  });
 }
 
 void read_input(ParameterReader& reader, InputParameters& input) {
@@ -69,6 +98,11 @@ void read_input(ParameterReader& reader, InputParameters& input) {
   reader.read("min_points", input.min_points, {4, 1e6});
   reader.read("max_points", input.max_points, {4, 1e8});
   reader.read("sync_window", input.sync_window, kSeconds);
+  reader.read("cloud", input.cloud);
+  reader.read("max_cloud_points", input.max_cloud_points, {4, 1e8});
+  read_label_names(reader, input.label_names);
+  reader.read("object_clouds", input.object_clouds);
+  reader.read("pose_frame_prefix", input.pose_frame_prefix);
 }
 
 void read_history(ParameterReader& reader, HistoryParameters& history) {
@@ -82,6 +116,20 @@ void read_history(ParameterReader& reader, HistoryParameters& history) {
     throw std::invalid_argument("parameter " + reader.path() + "/max_dt: is " + std::to_string(history.max_dt) +
                                 ", must be greater than min_dt = " + std::to_string(history.min_dt));
   }
+}
+
+void read_correspondence(ParameterReader& reader, CorrespondenceParameters& correspondence) {
+  reader.read("method", correspondence.method, {"ordered", "registration", "pose"});
+  reader.read("max_rmse", correspondence.max_rmse, {1e-6, 10.0});
+  reader.read("noise", correspondence.noise, {1e-6, 1.0});
+  reader.read("min_inlier_ratio", correspondence.min_inlier_ratio, {0.0, 1.0});
+  reader.read("voxel_size", correspondence.voxel_size, {0.005, 0.5});
+  reader.read("max_reference_points", correspondence.max_reference_points, {50, 1e5});
+  reader.read("max_correspondence_distance", correspondence.max_correspondence_distance, {0.01, 1.0});
+  reader.read("max_iterations", correspondence.max_iterations, {1, 1000});
+  reader.read("max_registered_points", correspondence.max_registered_points, {50, 1e5});
+  reader.read("max_rotation", correspondence.max_rotation, {0.01, 3.15});
+  reader.read("max_failures", correspondence.max_failures, {0, 1000});
 }
 
 void read_model(ParameterReader& reader, rigidformer::PredictorOptions& model) {
@@ -157,10 +205,7 @@ NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree) {
   reader.read("max_stamp_skew", p.max_stamp_skew, kPositiveSeconds);
   reader.group("input", [&](ParameterReader& group) { read_input(group, p.input); });
   reader.group("history", [&](ParameterReader& group) { read_history(group, p.history); });
-  reader.group("correspondence", [&](ParameterReader& group) {
-    group.read("method", p.correspondence.method, {"ordered"});
-    group.read("max_rmse", p.correspondence.max_rmse, {1e-6, 10.0});
-  });
+  reader.group("correspondence", [&](ParameterReader& group) { read_correspondence(group, p.correspondence); });
   reader.group("model", [&](ParameterReader& group) { read_model(group, p.model); });
   reader.group("predict", [&](ParameterReader& group) { read_predict(group, p.predict); });
   reader.group("service", [&](ParameterReader& group) { read_service(group, p.service); });

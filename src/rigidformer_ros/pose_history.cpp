@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxEntries = 64;
 constexpr double kMaxSpacingRatio = 3.0;  // a parabola through unevenly spaced poses amplifies their noise
+constexpr double kTwistBaseline = 0.03;   // [s] poses closer together give noise rather than a velocity
 constexpr double kSameInstant = 1e-9;     // [s] resolution of a stamp
 
 }  // namespace
@@ -50,6 +51,19 @@ std::optional<RigidTransform> PoseHistory::pose_before(const ros::Time& stamp, d
       rigidformer::interpolate(entries_[segment].T_world_object, entries_[segment + 1].T_world_object, fraction);
   pose.translation = position_at(segment, into(segment));
   return pose;
+}
+
+RigidTransform PoseHistory::predict(const ros::Time& stamp) const {
+  if (entries_.size() < 2) {
+    return newest_pose();
+  }
+  const std::size_t last = entries_.size() - 1;
+  std::size_t first = last - 1;
+  while (first > 0 && seconds_between(first, last) < kTwistBaseline) {
+    --first;
+  }
+  const double fraction = (stamp - entries_[first].stamp).toSec() / seconds_between(first, last);
+  return rigidformer::interpolate(entries_[first].T_world_object, entries_[last].T_world_object, fraction);
 }
 
 double PoseHistory::seconds_between(std::size_t reference, std::size_t index) const {

@@ -9,8 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "rigidformer_ros/cloud_conversion.hpp"
-
 namespace rigidformer_ros {
 
 PredictionNode::Lane::Lane() : spinner(1, &queue) { node.setCallbackQueue(&queue); }
@@ -19,11 +17,25 @@ PredictionNode::PredictionNode(const NodeParameters& parameters, PredictorFactor
     : parameters_(parameters),
       frames_(parameters.fixed_frame, parameters.tf_timeout),
       live_scene_(parameters, rejections_),
+      intake_(
+          parameters,
+          [this](const std::string& frame_id, const ros::Time& stamp, double timeout_s) {
+            return frames_.T_fixed_from(frame_id, stamp, timeout_s);
+          },
+          live_scene_, rejections_),
       forecaster_(parameters, std::move(make_predictor)),
       publisher_(forecast_lane_.node, parameters),
       service_(service_lane_.node, parameters, forecaster_, live_scene_, frames_),
       inputs_(input_lane_.node, parameters.input,
-              [this](const ListedObject& source, const sensor_msgs::PointCloud2& cloud) { on_cloud(source, cloud); }) {
+              [this](const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
+                intake_.take_object(source, cloud);
+              }),
+      scene_inputs_(
+          input_lane_.node, parameters.input,
+          {[this](const std::string& topic, const sensor_msgs::PointCloud2& cloud) {
+             intake_.take_labelled(topic, cloud);
+           },
+           [this](const std::string& topic, const ObjectClouds& clouds) { intake_.take_scene(topic, clouds); }}) {
   // Wall timers: they also run while a simulated clock stands still.
   forecast_timer_ = forecast_lane_.node.createWallTimer(ros::WallDuration(1.0 / parameters_.predict.rate),
                                                         [this](const ros::WallTimerEvent&) { on_forecast_timer(); });
@@ -40,34 +52,7 @@ PredictionNode::~PredictionNode() {
   input_lane_.spinner.stop();
 }
 
-// An exception that leaves a subscriber or timer callback would end the node.
-void PredictionNode::on_cloud(const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
-  try {
-    take_in(source, cloud);
-  } catch (const std::invalid_argument& error) {
-    rejections_.add("malformed cloud", source.topic + ": " + error.what());
-  } catch (const TransformError& error) {
-    rejections_.add("no transform", source.topic + ": " + error.what());
-  } catch (const std::exception& error) {
-    rejections_.add("failed cloud", source.topic + ": " + error.what());
-  }
-}
-
-void PredictionNode::take_in(const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
-  if (!live_scene_.accepts(source.id, cloud.header.stamp, ros::Time::now())) {
-    return;
-  }
-  const Points points = read_points(cloud, static_cast<std::uint64_t>(parameters_.input.max_points));
-  const RigidTransform T_fixed_cloud = frames_.T_fixed_from(cloud.header.frame_id, cloud.header.stamp);
-  ObjectObservation observation;
-  observation.id = source.id;
-  observation.stamp = cloud.header.stamp;
-  observation.points_world = T_fixed_cloud.apply(points);
-  observation.mode = source.mode;
-  observation.properties = resolve_properties(parameters_.properties, source.id, source.properties);
-  live_scene_.add(observation);
-}
-
+// An exception that leaves a timer callback would end the node.
 void PredictionNode::on_forecast_timer() {
   try {
     forecast_newest_scene();
@@ -108,7 +93,8 @@ void PredictionNode::on_report_timer() {
   if (ros::Time::now().isZero()) {
     ROS_WARN("Waiting for the clock: use_sim_time is set, but nothing publishes /clock.");
   } else if (live_scene_.snapshot(parameters_.predict.time_step).objects.empty()) {
-    ROS_WARN_STREAM("Waiting for usable clouds on " << inputs_.describe());
+    const std::string scenes = scene_inputs_.describe();
+    ROS_WARN_STREAM("Waiting for usable clouds on " << inputs_.describe() << (scenes.empty() ? "" : ", ") << scenes);
   }
   for (const std::string& line : rejections_.take_report()) {
     ROS_WARN_STREAM("Rejected, " << line);

@@ -28,17 +28,9 @@ void require_length(const std::string& field, const char* member, std::size_t le
   }
 }
 
-void check_shape(const ObjectClouds& clouds, const std::string& field) {
-  const std::size_t count = clouds.ids.size();
-  if (count == 0) {
-    reject(field + ".ids: is empty although other fields of " + field + " are filled");
-  }
-  require_length(field, "clouds", clouds.clouds.size(), count, false);
-  require_length(field, "modes", clouds.modes.size(), count, true);
-  require_length(field, "poses", clouds.poses.size(), count, true);
-  require_length(field, "properties", clouds.properties.size(), count, true);
+void check_ids(const ObjectClouds& clouds, const std::string& field) {
   std::set<std::string> seen;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < clouds.ids.size(); ++i) {
     const std::string name = field + ".ids[" + std::to_string(i) + "]";
     if (clouds.ids[i].empty()) {
       reject(name + ": is empty");
@@ -59,28 +51,12 @@ RigidTransform look_up(const ObjectClouds& clouds, const std::string& field, con
   }
 }
 
-ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, const NodeParameters& parameters,
-                              const RigidTransform& T_fixed_cloud) {
-  ObjectObservation object;
-  object.id = clouds.ids[i];
-  object.stamp = clouds.header.stamp;
-  object.points_world =
-      T_fixed_cloud.apply(read_points(clouds.clouds[i], static_cast<std::uint64_t>(parameters.input.max_points)));
-  if (!clouds.modes.empty()) {
-    object.mode = to_motion_mode(clouds.modes[i]);
-  }
-  if (!clouds.poses.empty()) {
-    object.T_world_object = T_fixed_cloud * to_transform(clouds.poses[i]);
-  }
-  const auto known =
-      clouds.properties.empty() ? rigidformer::PhysicalProperties{} : to_properties(clouds.properties[i]);
-  object.properties = resolve_properties(parameters.properties, object.id, known);
+void check_size(const ObjectObservation& object, int min_points) {
   const std::size_t finite = finite_rows(object.points_world).size();
-  if (finite < static_cast<std::size_t>(parameters.input.min_points)) {
+  if (finite < static_cast<std::size_t>(min_points)) {
     throw std::invalid_argument("has " + std::to_string(finite) + " finite points, needs at least " +
-                                std::to_string(parameters.input.min_points));
+                                std::to_string(min_points));
   }
-  return object;
 }
 
 void check_same_objects(const ObjectClouds& scene, const ObjectClouds& previous) {
@@ -104,7 +80,48 @@ void check_interval(const ObjectClouds& scene, const ObjectClouds& previous, con
   }
 }
 
+// What a track is asked to take in must belong to it, and come with a pose where poses are asked for.
+void require_taken(AddResult result, const std::string& field, const std::string& id, bool must_extend) {
+  if (result == AddResult::kNoPose) {
+    reject(field + ".poses: lacks the pose of '" + id + "', correspondence/method is pose");
+  }
+  if (must_extend && result != AddResult::kExtended && result != AddResult::kLowQuality) {
+    reject("previous_scene object '" + id +
+           "': other points than in scene, or a motion faster than history/max_speed or max_angular_speed");
+  }
+}
+
 }  // namespace
+
+void check_lengths(const ObjectClouds& clouds, const std::string& field) {
+  const std::size_t count = clouds.ids.size();
+  if (count == 0) {
+    reject(field + ".ids: is empty although other fields of " + field + " are filled");
+  }
+  require_length(field, "clouds", clouds.clouds.size(), count, false);
+  require_length(field, "modes", clouds.modes.size(), count, true);
+  require_length(field, "poses", clouds.poses.size(), count, true);
+  require_length(field, "properties", clouds.properties.size(), count, true);
+}
+
+ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, const NodeParameters& parameters,
+                              const RigidTransform& T_fixed_cloud) {
+  ObjectObservation object;
+  object.id = clouds.ids[i];
+  object.stamp = clouds.header.stamp;
+  object.points_world =
+      T_fixed_cloud.apply(read_points(clouds.clouds[i], static_cast<std::uint64_t>(parameters.input.max_points)));
+  if (!clouds.modes.empty()) {
+    object.mode = to_motion_mode(clouds.modes[i]);
+  }
+  if (!clouds.poses.empty()) {
+    object.T_world_object = T_fixed_cloud * to_transform(clouds.poses[i]);
+  }
+  const auto known =
+      clouds.properties.empty() ? rigidformer::PhysicalProperties{} : to_properties(clouds.properties[i]);
+  object.properties = resolve_properties(parameters.properties, object.id, known);
+  return object;
+}
 
 bool is_empty(const ObjectClouds& clouds) {
   return clouds.ids.empty() && clouds.modes.empty() && clouds.clouds.empty() && clouds.poses.empty() &&
@@ -113,12 +130,14 @@ bool is_empty(const ObjectClouds& clouds) {
 
 std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std::string& field,
                                           const NodeParameters& parameters, const FrameLookup& T_fixed_from) {
-  check_shape(clouds, field);
+  check_lengths(clouds, field);
+  check_ids(clouds, field);
   const RigidTransform T_fixed_cloud = look_up(clouds, field, parameters, T_fixed_from);
   std::vector<ObjectObservation> objects;
   for (std::size_t i = 0; i < clouds.ids.size(); ++i) {
     try {
       objects.push_back(read_object(clouds, i, parameters, T_fixed_cloud));
+      check_size(objects.back(), parameters.input.min_points);
     } catch (const std::invalid_argument& error) {
       reject(field + " object " + std::to_string(i) + " '" + clouds.ids[i] + "': " + error.what());
     }
@@ -132,16 +151,13 @@ TrackStore track_scenes(const ObjectClouds& scene, const ObjectClouds& previous,
   const bool has_previous = !is_empty(previous);
   if (has_previous) {
     for (const ObjectObservation& object : read_scene(previous, "previous_scene", parameters, T_fixed_from)) {
-      tracks.add(object);
+      require_taken(tracks.add(object), "previous_scene", object.id, false);
     }
     check_same_objects(scene, previous);
     check_interval(scene, previous, parameters.history);
   }
   for (const ObjectObservation& object : read_scene(scene, "scene", parameters, T_fixed_from)) {
-    if (tracks.add(object) != AddResult::kExtended && has_previous) {
-      reject("previous_scene object '" + object.id +
-             "': other points than in scene, or a motion faster than history/max_speed or max_angular_speed");
-    }
+    require_taken(tracks.add(object), "scene", object.id, has_previous);
   }
   return tracks;
 }

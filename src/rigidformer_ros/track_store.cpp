@@ -33,6 +33,9 @@ TrackStore::TrackStore(const InputParameters& input, const HistoryParameters& hi
     : input_(input), history_(history), correspondence_(correspondence) {}
 
 AddResult TrackStore::add(const ObjectObservation& observation) {
+  if (correspondence_.method == "pose" && !observation.T_world_object) {
+    return AddResult::kNoPose;
+  }
   if (finite_rows(observation.points_world).size() < static_cast<std::size_t>(input_.min_points)) {
     return AddResult::kTooFewPoints;
   }
@@ -50,11 +53,7 @@ AddResult TrackStore::add(const ObjectObservation& observation) {
   if (dt < 0.0) {
     return AddResult::kLate;
   }
-  if (dt > history_.max_dt || !extend_track(track, observation)) {
-    return begin_track(observation);
-  }
-  forget_unseen();
-  return AddResult::kExtended;
+  return dt > history_.max_dt ? begin_track(observation) : extend_track(track, observation);
 }
 
 AddResult TrackStore::begin_track(const ObjectObservation& observation) {
@@ -62,40 +61,82 @@ AddResult TrackStore::begin_track(const ObjectObservation& observation) {
   track.rows = finite_rows(observation.points_world);
   track.mode = observation.mode;
   track.properties = observation.properties;
+  track.frame_is_given = observation.T_world_object.has_value();
   const Points seen = select_rows(observation.points_world, track.rows);
   const RigidTransform T_world_object = observation.T_world_object.value_or(
       RigidTransform{Eigen::Quaterniond::Identity(), seen.cast<double>().colwise().mean().transpose()});
-  track.points_reference = T_world_object.inverse().apply(observation.points_world);
+  if (is_ordered()) {
+    track.points_reference = T_world_object.inverse().apply(observation.points_world);
+  } else {
+    track.tracker.emplace(seen, T_world_object, correspondence_);
+  }
   track.poses.add(observation.stamp, T_world_object, history_.min_dt);
   tracks_[observation.id] = std::move(track);
   forget_unseen();
   return AddResult::kNewTrack;
 }
 
-// False when the cloud cannot be the tracked object any more: other points, or a motion that no real object makes.
-bool TrackStore::extend_track(Track& track, const ObjectObservation& observation) const {
+AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observation) {
+  const auto found = is_ordered() ? match_rows(track, observation) : follow(track, observation);
+  if (!found || is_too_fast(track, observation.stamp, found->T_world_object)) {
+    return begin_track(observation);
+  }
+  track.poses.add(observation.stamp, found->T_world_object, history_.min_dt);
+  track.quality = found->quality;
+  track.low_quality = !found->objection.empty();
+  track.mode = observation.mode;
+  track.properties = observation.properties;
+  forget_unseen();
+  return track.low_quality ? AddResult::kLowQuality : AddResult::kExtended;
+}
+
+// Empty when the cloud has other points than the reference.
+std::optional<CloudRegistration> TrackStore::match_rows(const Track& track,
+                                                        const ObjectObservation& observation) const {
   if (observation.points_world.rows() != track.points_reference.rows()) {
-    return false;
+    return std::nullopt;
   }
   const std::vector<int> rows = common_rows(track.rows, finite_rows(observation.points_world));
   if (rows.size() < static_cast<std::size_t>(input_.min_points)) {
-    return false;
+    return std::nullopt;
   }
   const Points reference = select_rows(track.points_reference, rows);
   const Points cloud = select_rows(observation.points_world, rows);
-  const RigidTransform T_world_object =
-      observation.T_world_object.value_or(rigidformer::fit_rigid_transform(reference, cloud));
-  const double dt = std::max((observation.stamp - track.poses.newest_stamp()).toSec(), history_.min_dt);
-  const RigidTransform& before = track.poses.newest_pose();
-  if ((T_world_object.translation - before.translation).norm() > history_.max_speed * dt ||
-      rigidformer::rotation_angle(T_world_object.rotation, before.rotation) > history_.max_angular_speed * dt) {
-    return false;
+  CloudRegistration found;
+  found.T_world_object = observation.T_world_object.value_or(rigidformer::fit_rigid_transform(reference, cloud));
+  found.quality = measure(found.T_world_object, reference, cloud, correspondence_.max_rmse);
+  found.objection = found.quality.rmse_m > correspondence_.max_rmse ? "no rigid motion fits" : "";
+  return found;
+}
+
+// Empty when the cloud cannot be the tracked object any more, or comes with another object frame.
+std::optional<CloudRegistration> TrackStore::follow(Track& track, const ObjectObservation& observation) const {
+  const Points points = select_rows(observation.points_world, finite_rows(observation.points_world));
+  if (observation.T_world_object) {
+    return track.frame_is_given ? std::optional(track.tracker->learn(points, *observation.T_world_object))
+                                : std::nullopt;
   }
-  track.poses.add(observation.stamp, T_world_object, history_.min_dt);
-  track.quality = measure(T_world_object, reference, cloud, correspondence_.max_rmse);
-  track.mode = observation.mode;
-  track.properties = observation.properties;
-  return true;
+  const RigidTransform& T_world_previous = track.poses.newest_pose();
+  if (is_static(track)) {
+    return track.tracker->stay(points, T_world_previous);
+  }
+  const RigidTransform T_world_predicted = track.poses.predict(observation.stamp);
+  // An impact can stop or turn a known velocity; of the second cloud any speed may be expected.
+  const double max_jump_m = track.poses.size() > 1
+                                ? 2.0 * (T_world_predicted.translation - T_world_previous.translation).norm()
+                                : history_.max_speed * seconds_since(track, observation.stamp);
+  return track.tracker->follow(points, T_world_previous, T_world_predicted, max_jump_m);
+}
+
+bool TrackStore::is_too_fast(const Track& track, const ros::Time& stamp, const RigidTransform& T_world_object) const {
+  const double dt = seconds_since(track, stamp);
+  const RigidTransform& before = track.poses.newest_pose();
+  return (T_world_object.translation - before.translation).norm() > history_.max_speed * dt ||
+         rigidformer::rotation_angle(T_world_object.rotation, before.rotation) > history_.max_angular_speed * dt;
+}
+
+double TrackStore::seconds_since(const Track& track, const ros::Time& stamp) const {
+  return std::max((stamp - track.poses.newest_stamp()).toSec(), history_.min_dt);
 }
 
 // Static objects may be seen only once (a latched table): they stay until clear().
@@ -160,10 +201,11 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, co
   ObservedObject object;
   object.state.id = id;
   object.state.mode = track.mode;
-  object.state.points_reference = select_rows(track.points_reference, track.rows);
+  object.state.points_reference =
+      track.tracker ? track.tracker->points_object() : select_rows(track.points_reference, track.rows);
   object.state.properties = track.properties;
   object.quality = track.quality;
-  object.low_quality = track.quality.rmse_m > correspondence_.max_rmse;
+  object.low_quality = track.low_quality;
   if (is_static(track)) {
     object.state.T_world_current = track.poses.newest_pose();
     object.state.T_world_previous = track.poses.newest_pose();

@@ -47,12 +47,4 @@ sensor_msgs::PointCloud2 make_labelled_cloud(const std::vector<rigidformer::Poin
   return cloud;
 }
 
-rigidformer::RigidTransform look_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
-  const Eigen::Vector3d forward = (target - position).normalized();
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Matrix3d R_world_camera;
-  R_world_camera << right, forward.cross(right), forward;
-  return {Eigen::Quaterniond(R_world_camera), position};
-}
-
 }  // namespace rigidformer_ros::demo

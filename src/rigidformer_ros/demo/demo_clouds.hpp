@@ -17,7 +17,4 @@ sensor_msgs::PointCloud2 make_object_cloud(const rigidformer::Points& points, co
 sensor_msgs::PointCloud2 make_labelled_cloud(const std::vector<rigidformer::Points>& objects,
                                              const std_msgs::Header& header);
 
-/// Pose of a camera at `position` that looks at `target` (optical frame: z forward, x right, y down); z up in world.
-rigidformer::RigidTransform look_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target);
-
 }  // namespace rigidformer_ros::demo

@@ -3,14 +3,15 @@
 #include "demo_publisher.hpp"
 
 #include <geometry_msgs/TransformStamped.h>
-#include <rigidformer_ros/GetModelInfo.h>
 #include <rigidformer_ros/SceneForecast.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "demo_clouds.hpp"
+#include "rigidformer/simulation/depth_camera.hpp"
 #include "rigidformer_ros/conversions.hpp"
+#include "wait_for_node.hpp"
 
 namespace rigidformer_ros::demo {
 namespace {
@@ -60,7 +61,7 @@ DemoPublisher::DemoPublisher(ros::NodeHandle& node, const DemoParameters& parame
     : node_(node),
       parameters_(parameters),
       clock_(node, parameters.publish_clock, parameters.time_scale),
-      T_camera_world_(look_at({7.5, -6.5, 5.3}, {0.0, 0.0, 1.0}).inverse()) {
+      T_camera_world_(rigidformer::look_at({7.5, -6.5, 5.3}, {0.0, 0.0, 1.0}).inverse()) {
   for (int object = 0; object < kMaxObjects; ++object) {
     const std::string topic = "/objects/" + DemoScene::object_id(object) + "/points";
     object_clouds_.push_back(node_.advertise<sensor_msgs::PointCloud2>(topic, 1));
@@ -72,7 +73,7 @@ DemoPublisher::DemoPublisher(ros::NodeHandle& node, const DemoParameters& parame
 void DemoPublisher::run() {
   publish_camera();
   if (parameters_.wait_for_node) {
-    wait_for_node();
+    wait_for_node(node_, clock_);
   }
   DemoSceneOptions options;
   options.set = rigidformer::parse_movi_set(parameters_.scene_set);
@@ -100,15 +101,6 @@ void DemoPublisher::publish_camera() {
   message.transform.translation.z = pose.position.z;
   message.transform.rotation = pose.orientation;
   tf_.sendTransform(message);
-}
-
-void DemoPublisher::wait_for_node() {
-  auto client = node_.serviceClient<GetModelInfo>("get_model_info");
-  GetModelInfo info;
-  while (ros::ok() && !(client.exists() && client.call(info) && info.response.ready)) {
-    ROS_INFO_THROTTLE(10.0, "waiting for the prediction node: %s", info.response.message.c_str());
-    clock_.sleep_until(clock_.now() + ros::Duration(0.2));
-  }
 }
 
 void DemoPublisher::play(const DemoScene& scene, bool hold) {

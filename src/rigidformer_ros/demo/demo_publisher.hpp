@@ -44,7 +44,6 @@ class DemoPublisher {
 
  private:
   void publish_camera();
-  void wait_for_node();
   void play(const DemoScene& scene, bool hold);
   void publish_truth(const DemoScene& scene, const ros::Time& start);
   void publish_clouds(const DemoScene& scene, int frame, const ros::Time& stamp);

@@ -93,6 +93,11 @@ std::map<std::string, std::string> defaults() {
           {"/input/min_points", text_of(p.input.min_points)},
           {"/input/max_points", text_of(p.input.max_points)},
           {"/input/sync_window", text_of(p.input.sync_window)},
+          {"/input/cloud", p.input.cloud},
+          {"/input/max_cloud_points", text_of(p.input.max_cloud_points)},
+          {"/input/label_names", "[0]"},
+          {"/input/object_clouds", p.input.object_clouds},
+          {"/input/pose_frame_prefix", p.input.pose_frame_prefix},
           {"/history/min_dt", text_of(p.history.min_dt)},
           {"/history/max_dt", text_of(p.history.max_dt)},
           {"/history/object_timeout", text_of(p.history.object_timeout)},
@@ -101,6 +106,15 @@ std::map<std::string, std::string> defaults() {
           {"/history/max_angular_speed", text_of(p.history.max_angular_speed)},
           {"/correspondence/method", p.correspondence.method},
           {"/correspondence/max_rmse", text_of(p.correspondence.max_rmse)},
+          {"/correspondence/noise", text_of(p.correspondence.noise)},
+          {"/correspondence/min_inlier_ratio", text_of(p.correspondence.min_inlier_ratio)},
+          {"/correspondence/voxel_size", text_of(p.correspondence.voxel_size)},
+          {"/correspondence/max_reference_points", text_of(p.correspondence.max_reference_points)},
+          {"/correspondence/max_correspondence_distance", text_of(p.correspondence.max_correspondence_distance)},
+          {"/correspondence/max_iterations", text_of(p.correspondence.max_iterations)},
+          {"/correspondence/max_registered_points", text_of(p.correspondence.max_registered_points)},
+          {"/correspondence/max_rotation", text_of(p.correspondence.max_rotation)},
+          {"/correspondence/max_failures", text_of(p.correspondence.max_failures)},
           {"/model/file", p.model.file},
           {"/model/device", p.model.device},
           {"/model/precision", p.model.precision},
@@ -172,6 +186,15 @@ TEST(Parameters, ReadsValues) {
   EXPECT_FALSE(resolve_properties(p.properties, "mug", {}).restitution);
 }
 
+TEST(Parameters, ReadsWhatLabelsMean) {
+  const NodeParameters p = read_yaml("{input: {label_names: [{label: 7, id: table, mode: static, friction: 0.4}]}}");
+  ASSERT_EQ(p.input.label_names.size(), 1U);
+  EXPECT_EQ(p.input.label_names[0].label, 7U);
+  EXPECT_EQ(p.input.label_names[0].id, "table");
+  EXPECT_EQ(p.input.label_names[0].mode, rigidformer::MotionMode::kStatic);
+  EXPECT_EQ(p.input.label_names[0].properties.friction, 0.4);
+}
+
 TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
   const std::pair<const char*, std::pair<const char*, const char*>> cases[] = {
       {"{predict: {num_steps: '10'}}", {"predict/num_steps", "an integer in [1, 10000]"}},
@@ -184,6 +207,8 @@ TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
       {"{fixd_frame: world}", {"fixd_frame", "unknown"}},
       {"{fixed_frame: ''}", {"fixed_frame", "must name a tf frame"}},
       {"{model: {precision: half}}", {"model/precision", "float32 | bfloat16"}},
+      {"{correspondence: {method: icp}}", {"correspondence/method", "ordered | registration | pose"}},
+      {"{correspondence: {min_inlier_ratio: 60}}", {"correspondence/min_inlier_ratio", "[0, 1]"}},
       {"{display: {markers: 1}}", {"display/markers", "true or false"}},
       {"{history: {min_dt: 0.2, max_dt: 0.1}}", {"history/max_dt", "greater than min_dt"}},
       {"{input: {objects: {id: cup}}}", {"input/objects", "a list"}},
@@ -192,6 +217,11 @@ TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
       {"{input: {objects: [{id: a, topic: x}, {id: a, topic: z}]}}", {"input/objects[1]/id", "listed twice"}},
       {"{input: {objects: [{id: a, topic: x, mode: fixed}]}}", {"input/objects[0]/mode", "dynamic | kinematic"}},
       {"{input: {object_topics: /objects/points}}", {"input/object_topics", "one '*'"}},
+      {"{input: {label_names: [{id: cup}]}}", {"input/label_names[0]/label", "missing"}},
+      {"{input: {label_names: [{label: 3}]}}", {"input/label_names[0]/id", "missing"}},
+      {"{input: {label_names: [{label: 0, id: a}]}}", {"input/label_names[0]/label", "an integer in [1,"}},
+      {"{input: {label_names: [{label: 1, id: a}, {label: 1, id: b}]}}", {"input/label_names[1]", "listed twice"}},
+      {"{input: {label_names: [{label: 1, id: a}, {label: 2, id: a}]}}", {"input/label_names[1]", "listed twice"}},
       {"{input: {queue_size: -1}}", {"input/queue_size", "[1, 1000]"}},
       {"{properties: {restitution: 1.5}}", {"properties/restitution", "[0, 1]"}}};
   for (const auto& [text, parts] : cases) {

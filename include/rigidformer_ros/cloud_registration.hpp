@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rigidformer/geometry/rigid_transform.hpp"
+#include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/reference_cloud.hpp"
+
+namespace rigidformer_ros {
+
+using rigidformer::RigidTransform;
+
+/// How well a cloud agrees with the moved reference cloud.
+struct RegistrationQuality {
+  double rmse_m = 0.0;        ///< Of the inliers
+  double inlier_ratio = 1.0;  ///< Share of the cloud's points that lie on the reference
+};
+
+/// Fewer points do not check the six unknowns of a pose.
+constexpr Eigen::Index kMinRegisteredPoints = 10;
+
+struct CloudRegistration {
+  RigidTransform T_world_object;
+  RegistrationQuality quality;
+  std::string objection;  ///< Why the pose must not be trusted; empty = it may
+};
+
+/// Quality of `points_world` [N, 3] m, N >= 1, at a given pose of the reference; `objection` says what is wrong with
+/// it.
+CloudRegistration measure_pose(const ReferenceCloud& reference, const Points& points_world,
+                               const RigidTransform& T_world_object, const CorrespondenceParameters& parameters);
+
+/// Pose of the reference in the cloud `points_world` [N, 3] m: robust point-to-plane iterations (point-to-point where
+/// the reference has no normal) from `T_world_predicted` or, where that starts closer, `T_world_shifted`. What the
+/// cloud does not determine, such as the spin of a ball, stays as predicted. Fewer than `kMinRegisteredPoints` give an
+/// objection.
+CloudRegistration register_cloud(const ReferenceCloud& reference, const Points& points_world,
+                                 const RigidTransform& T_world_predicted, const RigidTransform& T_world_shifted,
+                                 const CorrespondenceParameters& parameters);
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "rigidformer/geometry/rigid_transform.hpp"
+
+namespace rigidformer_ros {
+
+using rigidformer::Points;
+
+/// Nearest neighbours within one cloud, or of any point in it.
+class PointTree {
+ public:
+  /// `points` [N, 3] m, N >= 1, finite.
+  explicit PointTree(Points points);
+  ~PointTree();
+  PointTree(PointTree&&) noexcept;
+  PointTree& operator=(PointTree&&) noexcept;
+
+  const Points& points() const;
+
+  /// Row of the nearest point.
+  int nearest(const Eigen::Vector3f& point) const;
+
+  /// Rows of the `count` (at most N) nearest points, nearest first.
+  void nearest(const Eigen::Vector3f& point, int count, std::vector<int>& rows) const;
+
+ private:
+  class Index;
+  std::unique_ptr<Index> index_;
+};
+
+/// Unit normals [N, 3], sign arbitrary, from each point's neighbours; zero where these do not lie on a plane.
+Points estimate_normals(const PointTree& tree);
+
+/// Distance [m] of each point from its third nearest neighbour, or from the farthest of fewer.
+std::vector<double> neighbor_spacing(const PointTree& tree);
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/cloud_registration.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace rigidformer_ros {
+
+namespace {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+constexpr double kNoiseBound = 3.0;       // standard deviations of a point on the surface
+constexpr double kSurfaceError = 0.02;    // [size] of the reference, on top: rounded edges, bends between its points
+constexpr double kOverlap = 1.5;          // [voxel] along the surface from its nearest point: beyond the known surface
+constexpr double kPointWeight = 0.05;     // of a distance from a point without a normal, against one from a plane
+constexpr double kNarrowing = 0.7;        // of the kernel, per iteration
+constexpr double kConverged = 1e-4;       // [size] of a step
+constexpr double kPrior = 0.01;           // pull of the start, relative to the cloud's mean pull on a translation
+constexpr double kSticksOut = 0.6;        // [voxel] along the surface: beyond its border, not between two of its points
+constexpr double kBorderWeight = 0.2;     // of that distance, against one from a plane
+constexpr double kClearlyBetter = 0.8;    // misfit of the shifted start against the predicted one
+constexpr double kRandomResiduals = 0.6;  // [inlier distance] RMSE of points that lie anywhere within it
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return m;
+}
+
+Eigen::Quaterniond rotation_from(const Eigen::Vector3d& rotation_vector) {
+  const double angle = rotation_vector.norm();
+  return angle > 0.0 ? Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle))
+                     : Eigen::Quaterniond::Identity();
+}
+
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return (turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle()) * turn.axis();
+}
+
+/// A cloud point against the reference, in the object frame.
+struct Residual {
+  Eigen::Vector3d vector;  ///< From the nearest reference point
+  Eigen::Vector3d normal;  ///< Zero = none
+  double distance;         ///< From the surface, or from the point where there is no normal
+  bool overlaps;           ///< Lies where the surface is known
+};
+
+class Registration {
+ public:
+  Registration(const ReferenceCloud& reference, const Points& points_world, const CorrespondenceParameters& parameters)
+      : reference_(reference),
+        points_world_(points_world.cast<double>()),
+        inlier_distance_m_(kNoiseBound * parameters.noise + kSurfaceError * reference.size_m()),
+        capture_distance_m_(std::max(parameters.max_correspondence_distance * reference.size_m(), inlier_distance_m_)),
+        max_iterations_(parameters.max_iterations) {}
+
+  double inlier_distance_m() const { return inlier_distance_m_; }
+
+  RegistrationQuality quality(const RigidTransform& T_world_object) const;
+
+  /// Sum over the points of how far they are from the reference, each at most the capture distance.
+  double misfit(const RigidTransform& T_world_object) const;
+
+  RigidTransform align(const RigidTransform& T_world_start) const;
+
+ private:
+  /// Gauss-Newton system of a step, rotations about `center` in units of half the object's size.
+  struct System {
+    Matrix6d information = Matrix6d::Zero();
+    Vector6d gradient = Vector6d::Zero();
+  };
+
+  Residual residual(const Eigen::Vector3d& point_object) const;
+  System linearize(const RigidTransform& T_object_world, const Eigen::Vector3d& center, double kernel_m) const;
+  Vector6d solve(const System& system, const Vector6d& to_start) const;
+  double radius() const { return std::max(0.5 * reference_.size_m(), 1e-6); }
+
+  const ReferenceCloud& reference_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> points_world_;
+  double inlier_distance_m_;
+  double capture_distance_m_;
+  int max_iterations_;
+};
+
+Residual Registration::residual(const Eigen::Vector3d& point_object) const {
+  const int row = reference_.nearest(point_object.cast<float>());
+  Residual r;
+  r.vector = point_object - reference_.points().row(row).transpose().cast<double>();
+  r.normal = reference_.normals().row(row).transpose().cast<double>();
+  const double voxel = reference_.voxel_size_m();
+  if (r.normal.isZero()) {
+    const double length = r.vector.norm();
+    r.distance = std::max(length - 0.5 * voxel, 0.0);  // the point stands for its surroundings
+    r.overlaps = length < kOverlap * voxel + inlier_distance_m_;
+    return r;
+  }
+  const double offset = r.normal.dot(r.vector);
+  r.distance = std::abs(offset);
+  r.overlaps = (r.vector - offset * r.normal).norm() < kOverlap * voxel;
+  return r;
+}
+
+RegistrationQuality Registration::quality(const RigidTransform& T_world_object) const {
+  const RigidTransform T_object_world = T_world_object.inverse();
+  double squares = 0.0;
+  int inliers = 0;
+  for (Eigen::Index i = 0; i < points_world_.rows(); ++i) {
+    const Residual r = residual(T_object_world * points_world_.row(i).transpose());
+    if (r.overlaps && r.distance <= inlier_distance_m_) {
+      squares += r.distance * r.distance;
+      ++inliers;
+    }
+  }
+  return {std::sqrt(squares / std::max(inliers, 1)),
+          static_cast<double>(inliers) / static_cast<double>(std::max<Eigen::Index>(points_world_.rows(), 1))};
+}
+
+double Registration::misfit(const RigidTransform& T_world_object) const {
+  const RigidTransform T_object_world = T_world_object.inverse();
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < points_world_.rows(); ++i) {
+    const Residual r = residual(T_object_world * points_world_.row(i).transpose());
+    sum += std::min(r.vector.norm(), capture_distance_m_);
+  }
+  return sum;
+}
+
+Registration::System Registration::linearize(const RigidTransform& T_object_world, const Eigen::Vector3d& center,
+                                             double kernel_m) const {
+  System system;
+  for (Eigen::Index i = 0; i < points_world_.rows(); ++i) {
+    const Eigen::Vector3d point = T_object_world * points_world_.row(i).transpose();
+    const Residual r = residual(point);
+    const bool is_coarse = kernel_m > inlier_distance_m_;
+    if (!r.overlaps && !is_coarse) {
+      continue;
+    }
+    const double outlyingness = (r.overlaps ? r.distance : r.vector.norm()) / kernel_m;
+    const double root = 1.0 / (1.0 + outlyingness * outlyingness);
+    const double weight = root * root;  // Geman-McClure
+    Eigen::Matrix3d metric = (r.normal.isZero() ? kPointWeight : 0.0) * Eigen::Matrix3d::Identity();
+    metric += r.normal * r.normal.transpose();
+    const double along = (r.vector - r.normal.dot(r.vector) * r.normal).norm();
+    if (along > kSticksOut * reference_.voxel_size_m() && !is_coarse) {
+      metric += kBorderWeight * (Eigen::Matrix3d::Identity() - r.normal * r.normal.transpose());
+    }
+    Eigen::Matrix<double, 3, 6> jacobian;
+    jacobian.leftCols<3>() = -cross_matrix(point - center) / radius();
+    jacobian.rightCols<3>().setIdentity();
+    const Eigen::Matrix<double, 6, 3> weighted = weight * jacobian.transpose() * metric;
+    system.information += weighted * jacobian;
+    system.gradient += weighted * r.vector;
+  }
+  return system;
+}
+
+// Gauss-Newton with a weak pull back to the start, which decides where the cloud does not.
+Vector6d Registration::solve(const System& system, const Vector6d& to_start) const {
+  const double pull = kPrior * system.information.bottomRightCorner<3, 3>().trace() / 3.0 + 1e-12;
+  const Matrix6d information = system.information + pull * Matrix6d::Identity();
+  return information.ldlt().solve(pull * to_start - system.gradient);
+}
+
+RigidTransform Registration::align(const RigidTransform& T_world_start) const {
+  const RigidTransform T_object_start = T_world_start.inverse();
+  RigidTransform T_object_world = T_object_start;
+  const Eigen::Vector3d center_world = points_world_.colwise().mean().transpose();
+  double kernel_m = capture_distance_m_;
+  for (int i = 0; i < max_iterations_; ++i) {
+    const Eigen::Vector3d center = T_object_world * center_world;
+    const RigidTransform back = T_object_start * T_object_world.inverse();
+    Vector6d to_start;
+    to_start << radius() * rotation_vector(back.rotation), back * center - center;
+    const Vector6d step = solve(linearize(T_object_world, center, kernel_m), to_start);
+    const Eigen::Quaterniond turn = rotation_from(step.head<3>() / radius());
+    T_object_world = RigidTransform{turn, center + step.tail<3>() - turn * center} * T_object_world;
+    const bool narrow = kernel_m <= inlier_distance_m_;
+    kernel_m = std::max(kNarrowing * kernel_m, inlier_distance_m_);
+    if (narrow && step.norm() < kConverged * reference_.size_m()) {
+      break;
+    }
+  }
+  return T_object_world.inverse();
+}
+
+std::string objection_to(const RegistrationQuality& quality, double inlier_distance_m,
+                         const CorrespondenceParameters& parameters) {
+  if (quality.inlier_ratio < parameters.min_inlier_ratio) {
+    return "only " + std::to_string(quality.inlier_ratio) + " of its points lie on the reference";
+  }
+  const double max_rmse_m = std::min(parameters.max_rmse, kRandomResiduals * inlier_distance_m);
+  if (quality.rmse_m > max_rmse_m) {
+    return "RMSE " + std::to_string(quality.rmse_m) + " m exceeds " + std::to_string(max_rmse_m) + " m";
+  }
+  return "";
+}
+
+}  // namespace
+
+CloudRegistration measure_pose(const ReferenceCloud& reference, const Points& points_world,
+                               const RigidTransform& T_world_object, const CorrespondenceParameters& parameters) {
+  const Registration registration(reference, points_world, parameters);
+  const RegistrationQuality quality = registration.quality(T_world_object);
+  return {T_world_object, quality, objection_to(quality, registration.inlier_distance_m(), parameters)};
+}
+
+CloudRegistration register_cloud(const ReferenceCloud& reference, const Points& points_world,
+                                 const RigidTransform& T_world_predicted, const RigidTransform& T_world_shifted,
+                                 const CorrespondenceParameters& parameters) {
+  const Registration registration(reference, points_world, parameters);
+  if (points_world.rows() < kMinRegisteredPoints) {
+    return {T_world_predicted, registration.quality(T_world_predicted),
+            std::to_string(points_world.rows()) + " points are too few to register"};
+  }
+  const bool shift = registration.misfit(T_world_shifted) < kClearlyBetter * registration.misfit(T_world_predicted);
+  CloudRegistration result;
+  result.T_world_object = registration.align(shift ? T_world_shifted : T_world_predicted);
+  result.quality = registration.quality(result.T_world_object);
+  result.objection = objection_to(result.quality, registration.inlier_distance_m(), parameters);
+  const double turn = rigidformer::rotation_angle(result.T_world_object.rotation, T_world_predicted.rotation);
+  if (result.objection.empty() && turn > parameters.max_rotation) {
+    result.objection = "turned " + std::to_string(turn) + " rad from the prediction";
+  }
+  return result;
+}
+
+}  // namespace rigidformer_ros

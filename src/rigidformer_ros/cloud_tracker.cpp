@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/cloud_tracker.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace rigidformer_ros {
+
+namespace {
+
+constexpr Eigen::Index kMaxReferenceInput = 2000;  // points of one cloud that the reference looks at
+constexpr double kMaxJump = 0.5;                   // [size] of the centre: one object cannot reach into another
+
+// Evenly spaced rows: sensors deliver points by pixel, so that neighbours in the cloud are neighbours in the image.
+Points thin(const Points& points, Eigen::Index count) {
+  if (points.rows() <= count) {
+    return points;
+  }
+  Points thinned(count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    thinned.row(i) = points.row(i * points.rows() / count);
+  }
+  return thinned;
+}
+
+// In the median, stray points have no weight.
+Eigen::Vector3d center_of(const Points& points) {
+  Eigen::Vector3d center;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<float> values(static_cast<std::size_t>(points.rows()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = points(static_cast<Eigen::Index>(i), axis);
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    center[axis] = *middle;
+  }
+  return center;
+}
+
+Points to_object(const RigidTransform& T_world_object, const Points& points_world) {
+  const RigidTransform T_object_world = T_world_object.inverse();
+  const Eigen::Matrix3d R = T_object_world.rotation.toRotationMatrix();
+  return ((points_world.cast<double>() * R.transpose()).rowwise() + T_object_world.translation.transpose())
+      .cast<float>();
+}
+
+// The previous pose, turned as predicted about the cloud's centre and moved with it.
+RigidTransform follow_center(const RigidTransform& T_world_previous, const RigidTransform& T_world_predicted,
+                             const Eigen::Vector3d& center_before, const Eigen::Vector3d& center_now) {
+  const Eigen::Quaterniond turn = T_world_predicted.rotation * T_world_previous.rotation.conjugate();
+  return {T_world_predicted.rotation, center_now + turn * (T_world_previous.translation - center_before)};
+}
+
+}  // namespace
+
+CloudTracker::CloudTracker(const Points& points_world, const RigidTransform& T_world_object,
+                           const CorrespondenceParameters& parameters)
+    : parameters_(parameters),
+      reference_(to_object(T_world_object, thin(points_world, kMaxReferenceInput)), parameters),
+      center_world_(center_of(points_world)) {}
+
+std::optional<CloudRegistration> CloudTracker::follow(const Points& points_world,
+                                                      const RigidTransform& T_world_previous,
+                                                      const RigidTransform& T_world_predicted, double max_jump_m) {
+  const Eigen::Vector3d center = center_of(points_world);
+  const Eigen::Vector3d center_predicted = T_world_predicted * (T_world_previous.inverse() * center_world_);
+  if ((center - center_predicted).norm() > kMaxJump * reference_.size_m() + max_jump_m) {
+    return std::nullopt;
+  }
+  const RigidTransform T_world_shifted = follow_center(T_world_previous, T_world_predicted, center_world_, center);
+  center_world_ = center;
+  CloudRegistration registration = register_cloud(reference_, thin(points_world, parameters_.max_registered_points),
+                                                  T_world_predicted, T_world_shifted, parameters_);
+  if (!registration.objection.empty()) {
+    registration.T_world_object = T_world_shifted;
+  }
+  return judge(points_world, registration);
+}
+
+std::optional<CloudRegistration> CloudTracker::stay(const Points& points_world, const RigidTransform& T_world_object) {
+  center_world_ = center_of(points_world);
+  return judge(points_world, measure(points_world, T_world_object));
+}
+
+CloudRegistration CloudTracker::learn(const Points& points_world, const RigidTransform& T_world_object) {
+  center_world_ = center_of(points_world);
+  const CloudRegistration registration = measure(points_world, T_world_object);
+  grow(points_world, T_world_object);
+  return registration;
+}
+
+CloudRegistration CloudTracker::measure(const Points& points_world, const RigidTransform& T_world_object) const {
+  return measure_pose(reference_, thin(points_world, parameters_.max_registered_points), T_world_object, parameters_);
+}
+
+void CloudTracker::grow(const Points& points_world, const RigidTransform& T_world_object) {
+  reference_.grow(to_object(T_world_object, thin(points_world, kMaxReferenceInput)));
+}
+
+std::optional<CloudRegistration> CloudTracker::judge(const Points& points_world,
+                                                     const CloudRegistration& registration) {
+  if (registration.objection.empty()) {
+    failures_ = 0;
+    grow(points_world, registration.T_world_object);
+    return registration;
+  }
+  failures_ += points_world.rows() >= kMinRegisteredPoints ? 1 : 0;  // a new reference from fewer would be no better
+  if (failures_ > parameters_.max_failures) {
+    return std::nullopt;
+  }
+  return registration;
+}
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/scene_intake.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "rigidformer_ros/cloud_conversion.hpp"
+#include "rigidformer_ros/frame_transformer.hpp"
+#include "rigidformer_ros/labelled_cloud.hpp"
+#include "rigidformer_ros/scene_request.hpp"
+
+namespace rigidformer_ros {
+
+namespace {
+
+using rigidformer::MotionMode;
+
+void check_count(const Points& points, int max_points) {
+  if (points.rows() > max_points) {
+    throw std::invalid_argument("has " + std::to_string(points.rows()) + " points, accepted are at most " +
+                                std::to_string(max_points));
+  }
+}
+
+}  // namespace
+
+SceneIntake::SceneIntake(const NodeParameters& parameters, PatientFrameLookup T_fixed_from, LiveScene& scene,
+                         RejectionLog& rejections)
+    : parameters_(parameters), T_fixed_from_(std::move(T_fixed_from)), scene_(scene), rejections_(rejections) {}
+
+// An exception that leaves a subscriber callback would end the node.
+void SceneIntake::guard(const std::string& source, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::invalid_argument& error) {
+    rejections_.add("malformed cloud", source + ": " + error.what());
+  } catch (const RequestError& error) {
+    rejections_.add("malformed cloud", source + ": " + error.what());
+  } catch (const TransformError& error) {
+    rejections_.add("no transform", source + ": " + error.what());
+  } catch (const std::exception& error) {
+    rejections_.add("failed cloud", source + ": " + error.what());
+  }
+}
+
+// All transforms of one message share one wait: a scene full of lost objects must not hold up the next cloud.
+RigidTransform SceneIntake::look_up(const std::string& frame_id, const ros::Time& stamp,
+                                    const ros::WallTime& deadline) const {
+  return T_fixed_from_(frame_id, stamp, std::max(0.0, (deadline - ros::WallTime::now()).toSec()));
+}
+
+void SceneIntake::take_object(const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
+  guard(source.topic, [&] {
+    if (!scene_.accepts(source.id, cloud.header.stamp, ros::Time::now())) {
+      return;
+    }
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.tf_timeout);
+    const Points points = read_points(cloud, static_cast<std::uint64_t>(parameters_.input.max_points));
+    ObjectObservation observation;
+    observation.id = source.id;
+    observation.stamp = cloud.header.stamp;
+    observation.points_world = look_up(cloud.header.frame_id, cloud.header.stamp, deadline).apply(points);
+    observation.mode = source.mode;
+    observation.properties = resolve_properties(parameters_.properties, source.id, source.properties);
+    add(std::move(observation), deadline);
+  });
+}
+
+void SceneIntake::take_labelled(const std::string& topic, const sensor_msgs::PointCloud2& cloud) {
+  guard(topic, [&] { read_labelled(topic, cloud); });
+}
+
+void SceneIntake::read_labelled(const std::string& topic, const sensor_msgs::PointCloud2& cloud) {
+  if (!scene_.accepts(topic, cloud.header.stamp, ros::Time::now())) {
+    return;
+  }
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.tf_timeout);
+  const auto parts = split_by_label(cloud, static_cast<std::uint64_t>(parameters_.input.max_cloud_points));
+  const RigidTransform T_fixed_cloud = look_up(cloud.header.frame_id, cloud.header.stamp, deadline);
+  for (const LabelPoints& part : parts) {
+    const NamedLabel object = meaning_of(part.label);
+    guard(topic + " object '" + object.id + "'", [&] {
+      check_count(part.points, parameters_.input.max_points);
+      ObjectObservation observation;
+      observation.id = object.id;
+      observation.stamp = cloud.header.stamp;
+      observation.points_world = T_fixed_cloud.apply(part.points);
+      observation.mode = object.mode;
+      observation.properties = resolve_properties(parameters_.properties, object.id, object.properties);
+      add(std::move(observation), deadline);
+    });
+  }
+}
+
+NamedLabel SceneIntake::meaning_of(std::uint32_t label) const {
+  for (const NamedLabel& named : parameters_.input.label_names) {
+    if (named.label == label) {
+      return named;
+    }
+  }
+  return {label, "obj_" + std::to_string(label), MotionMode::kDynamic, {}};
+}
+
+void SceneIntake::take_scene(const std::string& topic, const ObjectClouds& clouds) {
+  guard(topic, [&] { read_scene(topic, clouds); });
+}
+
+void SceneIntake::read_scene(const std::string& topic, const ObjectClouds& clouds) {
+  if (is_empty(clouds) || !scene_.accepts(topic, clouds.header.stamp, ros::Time::now())) {
+    return;  // an empty message says that nothing was seen
+  }
+  check_lengths(clouds, topic);
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.tf_timeout);
+  const std::string& frame = clouds.header.frame_id;
+  const RigidTransform T_fixed_cloud =
+      look_up(frame.empty() ? parameters_.fixed_frame : frame, clouds.header.stamp, deadline);
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < clouds.ids.size(); ++i) {
+    guard(topic + " object " + std::to_string(i) + " '" + clouds.ids[i] + "'", [&] {
+      if (clouds.ids[i].empty() || !ids.insert(clouds.ids[i]).second) {
+        throw std::invalid_argument("ids: is empty or occurs twice");
+      }
+      add(read_object(clouds, i, parameters_, T_fixed_cloud), deadline);
+    });
+  }
+}
+
+void SceneIntake::add(ObjectObservation observation, const ros::WallTime& deadline) {
+  const std::string& prefix = parameters_.input.pose_frame_prefix;
+  if (!prefix.empty() && !observation.T_world_object && observation.mode == MotionMode::kStatic) {
+    observation.T_world_object = RigidTransform();  // needs no tracker: its frame is the fixed frame, for ever
+  } else if (!prefix.empty() && !observation.T_world_object) {
+    try {
+      observation.T_world_object = look_up(prefix + observation.id, observation.stamp, deadline);
+    } catch (const TransformError& error) {
+      rejections_.add("no pose", "'" + observation.id + "': " + error.what());
+      return;
+    }
+  }
+  scene_.add(observation);
+}
+
+}  // namespace rigidformer_ros
