@@ -12,6 +12,7 @@ namespace rigidformer_ros {
 namespace {
 
 constexpr double kOutlierSpacing = 3.0;  // times the median spacing: so far from its neighbours, a point is an outlier
+constexpr double kNoiseSpacing = 2.5;    // [noise] between reference points: closer ones have no common normal
 constexpr double kExtentShare = 0.95;    // of the points lie within the object's radius
 constexpr int kMaxAveraged = 8;          // points of a sample that are averaged; then it stands still and cannot drift
 constexpr double kSamePlace = 0.7;       // [voxel] from the nearest reference point: known surface
@@ -63,7 +64,8 @@ ReferenceCloud::ReferenceCloud(const Points& points_object, const Correspondence
   const Points points = without_outliers(points_object, spacing);
   size_m_ = diameter(points);
   // Finer than the clouds themselves, two clouds would seldom meet in a voxel.
-  voxel_size_m_ = std::max({parameters_.voxel_size * size_m_, quantile(spacing, 0.5), parameters_.noise});
+  voxel_size_m_ =
+      std::max({parameters_.voxel_size * size_m_, quantile(spacing, 0.5), kNoiseSpacing * parameters_.noise});
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     samples_.push_back({points.row(i).transpose(), 1});
   }
