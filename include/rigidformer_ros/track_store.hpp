@@ -4,6 +4,7 @@
 
 #include <ros/time.h>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ struct ObservedObject {
   bool assumed_static = false;     ///< Seen too little to know its velocity
   bool low_quality = false;
   RegistrationQuality quality;
+  std::uint64_t track = 0;  ///< Number of its track; every new track has another
 };
 
 struct SkippedObject {
@@ -52,6 +54,16 @@ struct ObservedScene {
   std::vector<ObservedObject> objects;
   std::vector<SkippedObject> skipped;
 };
+
+/// Where the object of one track was seen.
+struct TrackRecord {
+  std::uint64_t track = 0;
+  PoseHistory poses;
+  bool low_quality = false;  ///< The newest pose
+};
+
+/// By object id.
+using TrackRecords = std::map<std::string, TrackRecord>;
 
 /// What became of an observation.
 enum class AddResult {
@@ -73,11 +85,14 @@ class TrackStore {
   /// The newest scene that all current objects share; empty store = empty scene with stamp 0.
   ObservedScene snapshot(double time_step_s) const;
 
+  TrackRecords records() const;
+
   void clear() { tracks_.clear(); }
   bool empty() const { return tracks_.empty(); }
 
  private:
   struct Track {
+    std::uint64_t number = 0;
     Points points_reference;  ///< All rows, about the centroid of the finite ones
     std::vector<int> rows;    ///< Finite rows of the reference
     PoseHistory poses;
@@ -90,6 +105,7 @@ class TrackStore {
   bool extend_track(Track& track, const ObjectObservation& observation) const;
   void forget_unseen();
   bool is_static(const Track& track) const { return track.mode == rigidformer::MotionMode::kStatic; }
+  bool is_low_quality(const Track& track) const { return track.quality.rmse_m > correspondence_.max_rmse; }
   ros::Time newest_stamp() const;
   ros::Time common_stamp(const ros::Time& newest) const;
   ObservedObject observe(const std::string& id, const Track& track, const ros::Time& stamp, double time_step_s) const;
@@ -98,6 +114,7 @@ class TrackStore {
   HistoryParameters history_;
   CorrespondenceParameters correspondence_;
   std::map<std::string, Track> tracks_;
+  std::uint64_t num_tracks_begun_ = 0;
 };
 
 }  // namespace rigidformer_ros

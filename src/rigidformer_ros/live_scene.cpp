@@ -31,6 +31,7 @@ void LiveScene::add(const ObjectObservation& observation) {
       rejections_.add("too few points", "'" + observation.id + "': fewer finite points than input/min_points");
       break;
     case AddResult::kTimeRestarted:
+      ++epoch_;
       ROS_INFO_STREAM("Stamps of '" << observation.id << "' jumped back: all tracks were cleared.");
       break;
     default:
@@ -42,6 +43,7 @@ void LiveScene::watch_clock(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (gate_.clock_restarted(now)) {
     tracks_.clear();
+    ++epoch_;
     ROS_INFO_STREAM("The clock jumped back to " << now.toSec() << " s: all tracks were cleared.");
   }
 }
@@ -49,11 +51,22 @@ void LiveScene::watch_clock(const ros::Time& now) {
 void LiveScene::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   tracks_.clear();
+  ++epoch_;
 }
 
 ObservedScene LiveScene::snapshot(double time_step_s) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return tracks_.snapshot(time_step_s);
+}
+
+TrackRecords LiveScene::records() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return tracks_.records();
+}
+
+std::uint64_t LiveScene::epoch() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return epoch_;
 }
 
 }  // namespace rigidformer_ros

@@ -13,41 +13,60 @@
 
 namespace rigidformer_ros {
 
-PredictionNode::Lane::Lane() : spinner(1, &queue) { node.setCallbackQueue(&queue); }
+PredictionNode::Lane::Lane(const ros::NodeHandle& parent, std::uint32_t num_threads)
+    : node(parent), spinner(num_threads, &queue) {
+  node.setCallbackQueue(&queue);
+}
 
-PredictionNode::PredictionNode(const NodeParameters& parameters, PredictorFactory make_predictor)
+PredictionNode::PredictionNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                               const NodeParameters& parameters, PredictorFactory make_predictor)
     : parameters_(parameters),
-      frames_(parameters.fixed_frame, parameters.tf_timeout),
+      frames_(parameters.fixed_frame, parameters.tf_timeout, node),
       live_scene_(parameters, rejections_),
       forecaster_(parameters, std::move(make_predictor)),
-      publisher_(forecast_lane_.node, parameters),
-      service_(service_lane_.node, parameters, forecaster_, live_scene_, frames_),
+      input_lane_(node),
+      forecast_lane_(node),
+      service_lane_(node, RolloutService::num_threads(parameters.service)),
+      health_lane_(node),
+      forecast_loop_(forecast_lane_.node, parameters,
+                     {live_scene_, forecaster_, rejections_, input_monitor_, timing_, quality_}),
+      service_(service_lane_.node, parameters, forecaster_, live_scene_, frames_, quality_),
       inputs_(input_lane_.node, parameters.input,
-              [this](const ListedObject& source, const sensor_msgs::PointCloud2& cloud) { on_cloud(source, cloud); }) {
+              [this](const ListedObject& source, const sensor_msgs::PointCloud2& cloud) { on_cloud(source, cloud); }),
+      diagnostics_(health_lane_.node, private_node, parameters.diagnostics,
+                   {forecaster_, rejections_, input_monitor_, timing_, quality_}) {
+  ros::NodeHandle tuning_node(private_node);
+  tuning_node.setCallbackQueue(&health_lane_.queue);
+  tuning_ = std::make_unique<TuningServer>(tuning_node, parameters, [this](const NodeParameters& p) { tune(p); });
   // Wall timers: they also run while a simulated clock stands still.
-  forecast_timer_ = forecast_lane_.node.createWallTimer(ros::WallDuration(1.0 / parameters_.predict.rate),
-                                                        [this](const ros::WallTimerEvent&) { on_forecast_timer(); });
   report_timer_ = input_lane_.node.createWallTimer(ros::WallDuration(parameters_.diagnostics.report_period),
                                                    [this](const ros::WallTimerEvent&) { on_report_timer(); });
-  input_lane_.spinner.start();
-  forecast_lane_.spinner.start();
-  service_lane_.spinner.start();
+  for (Lane* lane : {&input_lane_, &forecast_lane_, &service_lane_, &health_lane_}) {
+    lane->spinner.start();
+  }
 }
 
 PredictionNode::~PredictionNode() {
-  service_lane_.spinner.stop();
-  forecast_lane_.spinner.stop();
-  input_lane_.spinner.stop();
+  for (Lane* lane : {&health_lane_, &service_lane_, &forecast_lane_, &input_lane_}) {
+    lane->spinner.stop();
+  }
+}
+
+void PredictionNode::tune(const NodeParameters& parameters) {
+  forecaster_.set_num_steps(parameters.predict.num_steps);
+  forecast_loop_.tune(parameters);
+  diagnostics_.tune(parameters.diagnostics);
 }
 
 // An exception that leaves a subscriber or timer callback would end the node.
 void PredictionNode::on_cloud(const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
   try {
+    input_monitor_.received(source.topic, cloud.header.seq);
     take_in(source, cloud);
   } catch (const std::invalid_argument& error) {
     rejections_.add("malformed cloud", source.topic + ": " + error.what());
   } catch (const TransformError& error) {
-    rejections_.add("no transform", source.topic + ": " + error.what());
+    rejections_.add(kNoTransform, source.topic + ": " + error.what());
   } catch (const std::exception& error) {
     rejections_.add("failed cloud", source.topic + ": " + error.what());
   }
@@ -57,6 +76,14 @@ void PredictionNode::take_in(const ListedObject& source, const sensor_msgs::Poin
   if (!live_scene_.accepts(source.id, cloud.header.stamp, ros::Time::now())) {
     return;
   }
+  const ObjectObservation observation = to_observation(source, cloud);
+  const StageTimer timer(timing_, Stage::kRegistration);
+  live_scene_.add(observation);
+  input_monitor_.used(observation.stamp);
+}
+
+ObjectObservation PredictionNode::to_observation(const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
+  const StageTimer timer(timing_, Stage::kPreprocess);
   const Points points = read_points(cloud, static_cast<std::uint64_t>(parameters_.input.max_points));
   const RigidTransform T_fixed_cloud = frames_.T_fixed_from(cloud.header.frame_id, cloud.header.stamp);
   ObjectObservation observation;
@@ -65,40 +92,7 @@ void PredictionNode::take_in(const ListedObject& source, const sensor_msgs::Poin
   observation.points_world = T_fixed_cloud.apply(points);
   observation.mode = source.mode;
   observation.properties = resolve_properties(parameters_.properties, source.id, source.properties);
-  live_scene_.add(observation);
-}
-
-void PredictionNode::on_forecast_timer() {
-  try {
-    forecast_newest_scene();
-  } catch (const std::exception& error) {
-    rejections_.add("failed forecast", error.what());
-  }
-}
-
-void PredictionNode::forecast_newest_scene() {
-  const ros::Time now = ros::Time::now();
-  live_scene_.watch_clock(now);
-  if (!forecaster_.ready()) {
-    return;
-  }
-  if (!reported_ready_) {
-    reported_ready_ = true;
-    ROS_INFO("Ready: the model is loaded and warmed up.");
-  }
-  ObservedScene scene = live_scene_.snapshot(parameters_.predict.time_step);
-  const bool outdated = (now - scene.stamp).toSec() > parameters_.history.object_timeout;
-  if (scene.objects.empty() || outdated) {
-    publisher_.clear();
-    last_forecast_size_ = 0;
-    return;
-  }
-  if (scene.stamp == last_forecast_stamp_ && scene.objects.size() == last_forecast_size_) {
-    return;
-  }
-  last_forecast_stamp_ = scene.stamp;
-  last_forecast_size_ = scene.objects.size();
-  publisher_.publish(forecaster_.roll_out(std::move(scene), forecaster_.default_settings()));
+  return observation;
 }
 
 void PredictionNode::on_report_timer() {
@@ -140,12 +134,18 @@ std::unique_ptr<rigidformer::Predictor> load_model(const rigidformer::PredictorO
   return std::make_unique<rigidformer::Predictor>(resolved);
 }
 
+std::unique_ptr<PredictionNode> make_prediction_node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                                                     const ModelLoader& make_predictor) {
+  XmlRpc::XmlRpcValue tree;
+  private_node.getParam("", tree);
+  const NodeParameters parameters = read_parameters(tree);
+  return std::make_unique<PredictionNode>(node, private_node, parameters,
+                                          [make_predictor, model = parameters.model] { return make_predictor(model); });
+}
+
 int run_prediction_node(const ModelLoader& make_predictor) {
   try {
-    XmlRpc::XmlRpcValue tree;
-    ros::NodeHandle("~").getParam("", tree);
-    const NodeParameters parameters = read_parameters(tree);
-    const PredictionNode node(parameters, [&] { return make_predictor(parameters.model); });
+    const auto node = make_prediction_node(ros::NodeHandle(), ros::NodeHandle("~"), make_predictor);
     ros::waitForShutdown();
     return 0;
   } catch (const std::invalid_argument& error) {

@@ -59,6 +59,7 @@ AddResult TrackStore::add(const ObjectObservation& observation) {
 
 AddResult TrackStore::begin_track(const ObjectObservation& observation) {
   Track track;
+  track.number = ++num_tracks_begun_;
   track.rows = finite_rows(observation.points_world);
   track.mode = observation.mode;
   track.properties = observation.properties;
@@ -155,6 +156,14 @@ ObservedScene TrackStore::snapshot(double time_step_s) const {
   return scene;
 }
 
+TrackRecords TrackStore::records() const {
+  TrackRecords records;
+  for (const auto& [id, track] : tracks_) {
+    records[id] = {track.number, track.poses, is_low_quality(track)};
+  }
+  return records;
+}
+
 ObservedObject TrackStore::observe(const std::string& id, const Track& track, const ros::Time& stamp,
                                    double time_step_s) const {
   ObservedObject object;
@@ -163,7 +172,8 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, co
   object.state.points_reference = select_rows(track.points_reference, track.rows);
   object.state.properties = track.properties;
   object.quality = track.quality;
-  object.low_quality = track.quality.rmse_m > correspondence_.max_rmse;
+  object.track = track.number;
+  object.low_quality = is_low_quality(track);
   if (is_static(track)) {
     object.state.T_world_current = track.poses.newest_pose();
     object.state.T_world_previous = track.poses.newest_pose();
