@@ -33,7 +33,8 @@ install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/config ${RIGIDFORMER_SOURCE_DIR}/mod
 if(RIGIDFORMER_ROS)
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/ DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/launch DESTINATION ${share_dir})
-  install(FILES ${RIGIDFORMER_SOURCE_DIR}/nodelet_plugins.xml DESTINATION ${share_dir})
+  # Part of config already; named here for catkin_lint, which does not look into folders.
+  install(FILES config/nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/config)
 else()
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
 endif()

@@ -13,7 +13,7 @@
 namespace rigidformer {
 
 /// Fails as the objects' ids say. "throws": there is no forecast; "nan": its poses are not finite from the third step
-/// on; "slow": every call takes 50 ms.
+/// on; "slow": every call takes 50 ms; "hangs": every call takes a second.
 class FaultyPredictor : public BallisticPredictor {
  public:
   Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) override {
@@ -22,8 +22,8 @@ class FaultyPredictor : public BallisticPredictor {
       if (object.id == "throws") {
         throw std::runtime_error("tensor trouble");
       }
-      if (object.id == "slow") {
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      if (object.id == "slow" || object.id == "hangs") {
+        std::this_thread::sleep_for(std::chrono::milliseconds(object.id == "slow" ? 50 : 1000));
       }
       for (std::size_t k = 3; k < object.poses.size() && object.id == "nan"; ++k) {
         object.poses[k].translation.x() = std::numeric_limits<double>::quiet_NaN();

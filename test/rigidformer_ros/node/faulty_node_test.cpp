@@ -202,6 +202,18 @@ TEST_F(FaultyNodeTest, P23_waiting_for_others_counts_towards_the_wall_time) {
   }));
 }
 
+// The forecast is still in progress when it is reported: three calls of a second each.
+TEST_F(FaultyNodeTest, AForecastThatHangsIsReportedWhileItHangs) {
+  ASSERT_TRUE(client.wait_until([&] { return diagnostics.level("timing") == diagnostic_msgs::DiagnosticStatus::OK; }));
+  client.stream({{"hangs", high_flight()}}, 3);
+  EXPECT_TRUE(
+      client.wait_until([&] { return diagnostics.level("timing") == diagnostic_msgs::DiagnosticStatus::WARN; }));
+  EXPECT_TRUE(
+      client.wait_until([&] { return diagnostics.level("timing") == diagnostic_msgs::DiagnosticStatus::ERROR; }));
+  EXPECT_EQ(client.num_forecasts, 0);
+  EXPECT_NE(diagnostics.message("timing").find("more than 0.300 s"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rigidformer_ros::testing
 

@@ -23,12 +23,17 @@ using visualization_msgs::Marker;
 
 constexpr char kNode[] = "/prediction_node";
 
-/// Slides along x without falling.
-Flight sliding() {
-  Flight flight = without_spin(high_flight());
-  flight.velocity = {0.5, 0.0, 0.0};
-  flight.gravity = 0.0;
-  return flight;
+geometry_msgs::TransformStamped camera_at(const std::string& frame, const RigidTransform& T_world_camera) {
+  geometry_msgs::TransformStamped transform;
+  const geometry_msgs::Pose pose = to_pose(T_world_camera);
+  transform.header.frame_id = "world";
+  transform.header.stamp = ros::Time::now();
+  transform.child_frame_id = frame;
+  transform.transform.translation.x = pose.position.x;
+  transform.transform.translation.y = pose.position.y;
+  transform.transform.translation.z = pose.position.z;
+  transform.transform.rotation = pose.orientation;
+  return transform;
 }
 
 class NodeHealthTest : public ::testing::Test {
@@ -64,7 +69,6 @@ TEST_F(NodeHealthTest, DiagnosticsTellModelInputTimingAndWhatWasRejected) {
   EXPECT_EQ(diagnostics.number("input", "objects"), 1);
   EXPECT_GE(diagnostics.number("input", "rejected, bad stamp"), 1);
   EXPECT_NE(diagnostics.value("input", "rejected, bad stamp").find("stamp is 0"), std::string::npos);
-  EXPECT_TRUE(diagnostics.knows("timing"));
   EXPECT_FALSE(diagnostics.value("timing", "inference [ms]").empty());
   EXPECT_TRUE(client.wait_until([&] { return diagnostics.level("input") == DiagnosticStatus::WARN; }))
       << "no cloud for longer than max_input_age";
@@ -80,19 +84,12 @@ TEST_F(NodeHealthTest, P05_a_missing_transform_is_named_and_its_arrival_is_enoug
   const std::string text = diagnostics.message("tf");
   EXPECT_NE(text.find("late_camera"), std::string::npos) << text;
   EXPECT_NE(text.find("world"), std::string::npos) << text;
-  Rollout::Request r;
-  EXPECT_EQ(client.call(r).error_code, Response::NO_OBJECTS) << "never taken for the identity";
+  EXPECT_EQ(client.call({}).error_code, Response::NO_OBJECTS) << "never taken for the identity";
   tf2_ros::StaticTransformBroadcaster broadcaster;
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = "world";
-  transform.header.stamp = ros::Time::now();
-  transform.child_frame_id = "late_camera";
-  transform.transform.translation.z = 5.0;
-  transform.transform.rotation.w = 1.0;
-  broadcaster.sendTransform(transform);
+  broadcaster.sendTransform(camera_at("late_camera", {Eigen::Quaterniond::Identity(), {0.0, 0.0, 5.0}}));
   EXPECT_TRUE(client.wait_until([&] {
     send();
-    return client.call(r).success;
+    return client.call({}).success;
   }));
   EXPECT_TRUE(client.wait_until([&] { return diagnostics.level("tf") == DiagnosticStatus::OK; }));
 }
@@ -144,7 +141,7 @@ TEST_F(NodeHealthTest, PathsHaveAStampPerPoseAndEndWithTheirObjects) {
     EXPECT_NEAR((path.poses[k].header.stamp - path.header.stamp).toSec(), k / 24.0, 2e-9);
   }
   const auto is_offered = [] { return topics_published_by(kNode).count("/paths/red_cup") > 0; };
-  EXPECT_TRUE(is_offered());
+  ASSERT_TRUE(is_offered());
   EXPECT_TRUE(client.wait_until([&] { return !is_offered(); })) << "the object is gone";
 }
 
@@ -182,21 +179,20 @@ TEST_F(NodeHealthTest, P28_no_transform_is_published) {
   EXPECT_EQ(topics.count("/tf_static"), 0U);
 }
 
-// Large clouds, so that the buffers between the two processes are full after a few of them.
+// Twenty clouds of 1.7 MB are more than the buffers between the two processes hold.
 TEST_F(NodeHealthTest, P29_a_subscriber_that_sleeps_holds_nobody_up) {
   const int pid = node_pid("/sleeper");
   ASSERT_GT(pid, 0);
+  ASSERT_EQ(topics_of("/sleeper", Role::kSubscriber).count("/forecast_cloud"), 1U);
   ASSERT_EQ(kill(pid, SIGSTOP), 0);
-  const Points large = blob(30000);
   client.object("large");
-  ros::Time last_stamp;
-  for (int i = 0; i < 45; ++i) {
-    last_stamp = ros::Time::now();
-    client.object("large").publish(stamped_cloud(large, last_stamp));
-    client.wait_until([] { return false; }, 1.0 / 30.0);
-  }
-  EXPECT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
-  EXPECT_GT(client.num_forecasts, 5);
+  EXPECT_TRUE(client.wait_until(
+      [&] {
+        client.object("large").publish(stamped_cloud(blob(6000), ros::Time::now()));
+        client.wait_until([] { return false; }, 1.0 / 30.0);
+        return client.num_forecasts >= 20;
+      },
+      60.0));
   EXPECT_EQ(kill(pid, SIGCONT), 0);
 }
 
@@ -205,7 +201,7 @@ TEST_F(NodeHealthTest, P19_threads_do_not_multiply) {
   const int pid = node_pid(kNode);
   ASSERT_GT(pid, 0);
   const int threads = num_threads_of(pid);
-  EXPECT_GT(threads, 5);
+  ASSERT_GT(threads, 5);
   EXPECT_LE(threads, 24) << "lanes, services, tf, roscpp and one for the model";
   client.stream({{"a", high_flight()}, {"b", high_flight(3.0)}, {"c", high_flight(6.0)}}, 12);
   client.call({});
@@ -216,17 +212,7 @@ TEST_F(NodeHealthTest, P35_a_tilted_camera_sees_the_same_fall) {
   const RigidTransform T_world_camera{
       Eigen::Quaterniond(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1.0, 2.0, -0.5).normalized())), {1.0, -2.0, 3.0}};
   tf2_ros::StaticTransformBroadcaster broadcaster;
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = "world";
-  transform.header.stamp = ros::Time::now();
-  transform.child_frame_id = "tilted_camera";
-  const geometry_msgs::Pose pose = to_pose(T_world_camera);
-  transform.transform.translation.x = pose.position.x;
-  transform.transform.translation.y = pose.position.y;
-  transform.transform.translation.z = pose.position.z;
-  transform.transform.rotation = pose.orientation;
-  broadcaster.sendTransform(transform);
-
+  broadcaster.sendTransform(camera_at("tilted_camera", T_world_camera));
   const auto in_camera = [&](double t) {
     ObjectClouds scene = scene_at(t, without_spin(high_flight()));
     const Points seen = T_world_camera.inverse().apply(without_spin(high_flight()).pose(t).apply(blob()));

@@ -46,8 +46,11 @@ inline int num_threads_of(int pid) {
   return threads;
 }
 
-/// Topics that a node publishes.
-inline std::set<std::string> topics_published_by(const std::string& node) {
+/// Index into what the master calls its state.
+enum class Role { kPublisher = 0, kSubscriber = 1 };
+
+/// Topics that a node publishes or subscribes to.
+inline std::set<std::string> topics_of(const std::string& node, Role role) {
   XmlRpc::XmlRpcValue request;
   XmlRpc::XmlRpcValue response;
   XmlRpc::XmlRpcValue state;
@@ -56,15 +59,17 @@ inline std::set<std::string> topics_published_by(const std::string& node) {
   if (!ros::master::execute("getSystemState", request, response, state, false)) {
     return topics;
   }
-  XmlRpc::XmlRpcValue& publishers = state[0];
-  for (int i = 0; i < publishers.size(); ++i) {
-    for (int j = 0; j < publishers[i][1].size(); ++j) {
-      if (static_cast<std::string&>(publishers[i][1][j]) == node) {
-        topics.insert(static_cast<std::string&>(publishers[i][0]));
+  XmlRpc::XmlRpcValue& entries = state[static_cast<int>(role)];
+  for (int i = 0; i < entries.size(); ++i) {
+    for (int j = 0; j < entries[i][1].size(); ++j) {
+      if (static_cast<std::string&>(entries[i][1][j]) == node) {
+        topics.insert(static_cast<std::string&>(entries[i][0]));
       }
     }
   }
   return topics;
 }
+
+inline std::set<std::string> topics_published_by(const std::string& node) { return topics_of(node, Role::kPublisher); }
 
 }  // namespace rigidformer_ros::testing
