@@ -19,7 +19,7 @@ foreach(target prediction_node demo_publisher forecast_report depth_camera recor
     list(APPEND programs ${target})
   endif()
 endforeach()
-foreach(target rigidformer rigidformer_simulation rigidformer_baselines rigidformer_ros_node)
+foreach(target rigidformer rigidformer_simulation rigidformer_baselines rigidformer_ros_node rigidformer_ros_nodelet)
   if(TARGET ${target})
     list(APPEND libraries ${target})
   endif()
@@ -34,6 +34,8 @@ install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/config ${RIGIDFORMER_SOURCE_DIR}/mod
 if(RIGIDFORMER_ROS)
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/ DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/launch DESTINATION ${share_dir})
+  # Part of config already; named here for catkin_lint, which does not look into folders.
+  install(FILES config/nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/config)
 else()
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
 endif()

@@ -2,8 +2,8 @@
 if(RIGIDFORMER_MESSAGES_ONLY)
   set(ros_packages geometry_msgs sensor_msgs std_msgs)
 else()
-  set(ros_packages geometry_msgs nav_msgs roscpp rosbag_storage rosgraph_msgs roslib sensor_msgs std_msgs std_srvs
-      tf2 tf2_msgs tf2_ros visualization_msgs)
+  set(ros_packages diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib roscpp
+      rosbag_storage rosgraph_msgs roslib sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros visualization_msgs)
   # What other packages may link; LibTorch and Bullet stay inside these libraries.
   set(exported_libraries rigidformer rigidformer_core)
   set(exported_folders include)
@@ -16,6 +16,9 @@ file(GLOB service_files RELATIVE ${PROJECT_SOURCE_DIR}/srv CONFIGURE_DEPENDS ${P
 add_message_files(DIRECTORY msg FILES ${message_files})
 add_service_files(DIRECTORY srv FILES ${service_files})
 generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs)
+if(NOT RIGIDFORMER_MESSAGES_ONLY)
+  generate_dynamic_reconfigure_options(cfg/Diagnostics.cfg cfg/Display.cfg cfg/Predict.cfg)
+endif()
 
 catkin_package(
   INCLUDE_DIRS ${exported_folders}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseArray.h>
+#include <nav_msgs/Path.h>
 #include <rigidformer_ros/SceneForecast.h>
 #include <sensor_msgs/PointCloud2.h>
 
@@ -36,6 +37,9 @@ sensor_msgs::PointCloud2 to_points_cloud(const SceneRollout& rollout, const Fore
 /// One object's points at step k of the rollout, stamped t0 + times[k].
 sensor_msgs::PointCloud2 object_points_at(const SceneRollout& rollout, std::size_t object, std::size_t step,
                                           const std::string& fixed_frame);
+
+/// One object's predicted poses, each stamped t0 + times[k].
+nav_msgs::Path path_of(const SceneRollout& rollout, std::size_t object, const std::string& fixed_frame);
 
 /// Poses of all objects at step k, in the order of the forecast, stamped t0 + times[k].
 geometry_msgs::PoseArray poses_at(const SceneRollout& rollout, std::size_t step, const std::string& fixed_frame);

@@ -2,39 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nav_msgs/Path.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <sensor_msgs/PointCloud2.h>
 
-#include <map>
 #include <string>
 
+#include "rigidformer_ros/forecast_check.hpp"
 #include "rigidformer_ros/forecaster.hpp"
+#include "rigidformer_ros/object_publishers.hpp"
 #include "rigidformer_ros/visualization.hpp"
 
 namespace rigidformer_ros {
 
-/// All output topics. Point clouds are made only for subscribers.
+/// All output topics. Point clouds and paths are made only for subscribers.
 class ForecastPublisher {
  public:
   ForecastPublisher(ros::NodeHandle& node, const NodeParameters& parameters);
 
   void publish(const SceneRollout& rollout);
 
-  /// Removes the markers of the last forecast.
+  /// `stamp` is the t0 of the newest scene compared.
+  void publish(const ForecastQuality& quality, const ros::Time& stamp);
+
+  /// Removes the markers of the last forecast and the topics of its objects.
   void clear();
 
- private:
-  void publish_object_points(const SceneRollout& rollout);
+  void set_display(const DisplayParameters& display);
 
-  ros::NodeHandle node_;
+ private:
+  void publish_objects(const SceneRollout& rollout);
+  void clear_markers();
+
   std::string fixed_frame_;
+  double check_window_s_;
   bool with_markers_;
   ForecastVisualizer visualizer_;
   ros::Publisher forecast_;
   ros::Publisher forecast_cloud_;
   ros::Publisher predicted_poses_;
   ros::Publisher markers_;
-  std::map<std::string, ros::Publisher> object_points_;  ///< By object id
+  ros::Publisher forecast_error_;
+  ObjectPublishers<sensor_msgs::PointCloud2> object_points_;
+  ObjectPublishers<nav_msgs::Path> paths_;
 };
 
 }  // namespace rigidformer_ros

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
+#include <optional>
 #include <string>
 
 #include "rigidformer_ros/inference_worker.hpp"
@@ -16,7 +18,8 @@ namespace rigidformer_ros {
 struct SceneRollout {
   ObservedScene scene;
   RolloutOutcome outcome;
-  rigidformer::ModelInfo model;  ///< Ranges in real lengths and times
+  rigidformer::ModelInfo model;    ///< Ranges in real lengths and times
+  double trusted_horizon_s = 0.0;  ///< 0 = none or not known
 };
 
 /// Predicts observed scenes as the parameters say. The topic and the service share one, so their numbers are the same.
@@ -24,15 +27,20 @@ class Forecaster {
  public:
   Forecaster(const NodeParameters& parameters, PredictorFactory make_predictor);
 
-  bool ready() const { return worker_.state() == InferenceWorker::State::kReady; }
+  InferenceWorker::State state() const { return worker_.state(); }
+  bool ready() const { return state() == InferenceWorker::State::kReady; }
   /// Why it is not ready; empty when it is.
   std::string message() const { return worker_.message(); }
+
+  /// The model with its ranges as trained; empty before it is ready.
+  std::optional<rigidformer::ModelInfo> model() const;
 
   /// The loaded model with its ranges in real lengths and times, at the length scale of `scene`.
   rigidformer::ModelInfo model_for(const ObservedScene& scene) const;
 
   /// What predict.* asks for.
   RolloutSettings default_settings() const;
+  void set_num_steps(int num_steps) { num_steps_ = num_steps; }
 
   /// Moves objects beyond the model's limit to scene.skipped, then rolls out. Throws what the predictor throws.
   SceneRollout roll_out(ObservedScene scene, RolloutSettings settings);
@@ -41,6 +49,7 @@ class Forecaster {
   double length_scale(const ObservedScene& scene, const rigidformer::ModelInfo& info) const;
 
   PredictParameters predict_;
+  std::atomic<int> num_steps_;
   ServiceParameters service_;
   InferenceWorker worker_;
 };

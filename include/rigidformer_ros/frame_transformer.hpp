@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/node_handle.h>
 #include <ros/time.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -23,7 +24,7 @@ class TransformError : public std::runtime_error {
 class FrameTransformer {
  public:
   /// Waits up to `timeout_s` of wall time for a transform, so that a stopped clock cannot block it.
-  FrameTransformer(std::string fixed_frame, double timeout_s);
+  FrameTransformer(std::string fixed_frame, double timeout_s, const ros::NodeHandle& node);
 
   /// Throws TransformError when the transform does not exist at `stamp`. An empty frame_id throws too.
   rigidformer::RigidTransform T_fixed_from(const std::string& frame_id, const ros::Time& stamp) const;

@@ -4,6 +4,7 @@
 
 #include <ros/time.h>
 
+#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -30,12 +31,17 @@ class LiveScene {
 
   void reset();
   ObservedScene snapshot(double time_step_s) const;
+  TrackRecords records() const;
+
+  /// Counts how often everything was forgotten: what was derived from an earlier epoch is void.
+  std::uint64_t epoch() const;
 
  private:
   RejectionLog& rejections_;
   mutable std::mutex mutex_;
   StampGate gate_;
   TrackStore tracks_;
+  std::uint64_t epoch_ = 0;
 };
 
 }  // namespace rigidformer_ros

@@ -11,12 +11,19 @@ inline constexpr char kForecast[] = "forecast";
 inline constexpr char kForecastCloud[] = "forecast_cloud";
 inline constexpr char kPredictedPoses[] = "predicted_poses";
 inline constexpr char kMarkers[] = "markers";
+inline constexpr char kForecastError[] = "forecast_error";
 
 inline constexpr char kPredictRollout[] = "predict_rollout";
 inline constexpr char kGetModelInfo[] = "get_model_info";
 inline constexpr char kReset[] = "reset";
 
-/// Topic of one object's points at the first predicted step. Characters that a ROS name cannot hold become '_'.
+// In topics of one object, characters of its id that a ROS name cannot hold become '_'; ids that then are the same
+// share the topic.
+
+/// Topic of one object's points at the first predicted step.
 std::string predicted_points(const std::string& object_id);
+
+/// Topic of one object's predicted path.
+std::string path(const std::string& object_id);
 
 }  // namespace rigidformer_ros::names

@@ -84,6 +84,7 @@ struct ServiceParameters {
   int max_steps = 500;
   double max_wall_time = 10.0;  ///< [s]
   double max_state_age = 0.5;   ///< [s]
+  int max_clients_queued = 4;   ///< Requests that may wait for their turn; more are answered with BUSY
   int max_returned_points = 2000000;
   double settle_linear_speed = 0.02;  ///< [m/s] an object slower than both speeds ...
   double settle_angular_speed = 0.1;  ///< [rad/s]
@@ -112,7 +113,14 @@ struct DisplayParameters {
 };
 
 struct DiagnosticsParameters {
-  double report_period = 5.0;  ///< [s] wall time between two reports on what is missing or rejected
+  double report_period = 5.0;           ///< [s] wall time between two reports on what is missing or rejected
+  double period = 1.0;                  ///< [s] wall time between two messages on /diagnostics
+  double max_input_age = 1.0;           ///< [s] newest cloud older than this: warning
+  double max_processing_time = 0.5;     ///< [s] wall time; a forecast that takes longer: warning
+  double max_consecutive_delay = 3.0;   ///< [s] wall time; forecasts too slow for longer than this in a row: error
+  double check_window = 60.0;           ///< [s] how long a comparison of forecast and observation counts
+  double trusted_position_error = 0.1;  ///< [m] RMSE up to which a horizon is trusted
+  double trusted_rotation_error = 0.3;  ///< [rad] likewise
 };
 
 /// The checkpoint that ships with the package, the rest as in the core.

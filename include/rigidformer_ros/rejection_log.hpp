@@ -10,6 +10,11 @@
 
 namespace rigidformer_ros {
 
+/// Reason of clouds that could not be brought into the fixed frame.
+inline constexpr char kNoTransform[] = "no transform";
+/// Reason of forecasts that ended in an error.
+inline constexpr char kFailedForecast[] = "failed forecast";
+
 /// Counts what was rejected, by reason. Safe to call from any thread.
 class RejectionLog {
  public:
@@ -19,16 +24,16 @@ class RejectionLog {
   /// One sentence per reason that occurred since the last call.
   std::vector<std::string> take_report();
 
-  /// Rejections for `reason` since the start.
-  std::uint64_t total(const std::string& reason) const;
-
- private:
   struct Count {
-    std::uint64_t total = 0;
-    std::uint64_t reported = 0;
-    std::string detail;
+    std::uint64_t total = 0;     ///< Since the start
+    std::uint64_t reported = 0;  ///< Of these, in a report already
+    std::string detail;          ///< Of the newest
   };
 
+  /// By reason.
+  std::map<std::string, Count> counts() const;
+
+ private:
   mutable std::mutex mutex_;
   std::map<std::string, Count> counts_;
 };

@@ -8,32 +8,47 @@
 #include <ros/service_server.h>
 #include <std_srvs/Trigger.h>
 
+#include <atomic>
+#include <mutex>
+
+#include "rigidformer_ros/forecast_check.hpp"
 #include "rigidformer_ros/forecaster.hpp"
 #include "rigidformer_ros/frame_transformer.hpp"
 #include "rigidformer_ros/live_scene.hpp"
 #include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/shared_value.hpp"
 
 namespace rigidformer_ros {
 
 /// The services predict_rollout, get_model_info and reset. Handlers always return true, with failures in the answer.
+/// Rollouts are made one after another, service/max_clients_queued may wait; the other services never wait for them.
 class RolloutService {
  public:
+  /// Threads that the callback queue of `node` needs: one per rollout that is made or waits, one to turn others away.
+  static std::uint32_t num_threads(const ServiceParameters& parameters) {
+    return static_cast<std::uint32_t>(parameters.max_clients_queued) + 2;
+  }
+
   /// Handlers run on the callback queue of `node`. All references must outlive the service.
   RolloutService(ros::NodeHandle& node, const NodeParameters& parameters, Forecaster& forecaster, LiveScene& live_scene,
-                 const FrameTransformer& frames);
+                 const FrameTransformer& frames, const SharedValue<ForecastQuality>& quality);
 
-  /// Answers one request; never throws.
+  /// Answers one request; never throws. May be called from any thread.
   PredictRollout::Response answer(const PredictRollout::Request& request);
 
   GetModelInfo::Response model_info() const;
 
  private:
-  PredictRollout::Response roll_out(const PredictRollout::Request& request);
+  PredictRollout::Response answer_in_turn(const PredictRollout::Request& request);
+  PredictRollout::Response roll_out(const PredictRollout::Request& request, double waited_s);
 
   NodeParameters parameters_;
   Forecaster& forecaster_;
   LiveScene& live_scene_;
   const FrameTransformer& frames_;
+  const SharedValue<ForecastQuality>& quality_;
+  std::atomic<int> num_clients_{0};  ///< Whose rollout is made or waits
+  std::timed_mutex turn_;
   ros::ServiceServer predict_rollout_;
   ros::ServiceServer get_model_info_;
   ros::ServiceServer reset_;

@@ -10,9 +10,11 @@
 #include <functional>
 #include <string>
 
+#include "rigidformer_ros/input_monitor.hpp"
 #include "rigidformer_ros/live_scene.hpp"
 #include "rigidformer_ros/parameters.hpp"
 #include "rigidformer_ros/rejection_log.hpp"
+#include "rigidformer_ros/timing_monitor.hpp"
 
 namespace rigidformer_ros {
 
@@ -24,9 +26,15 @@ using PatientFrameLookup =
 /// What cannot be used is counted by reason; nothing is thrown. `topic` names the source in messages.
 class SceneIntake {
  public:
-  /// The references must outlive the intake.
-  SceneIntake(const NodeParameters& parameters, PatientFrameLookup T_fixed_from, LiveScene& scene,
-              RejectionLog& rejections);
+  /// What the intake feeds; all must outlive it.
+  struct Sinks {
+    LiveScene& scene;
+    RejectionLog& rejections;
+    InputMonitor& monitor;
+    TimingMonitor& timing;
+  };
+
+  SceneIntake(const NodeParameters& parameters, PatientFrameLookup T_fixed_from, const Sinks& sinks);
 
   /// One object's cloud.
   void take_object(const ListedObject& source, const sensor_msgs::PointCloud2& cloud);
@@ -39,6 +47,8 @@ class SceneIntake {
 
  private:
   void guard(const std::string& source, const std::function<void()>& work);
+  ObjectObservation to_observation(const ListedObject& source, const sensor_msgs::PointCloud2& cloud,
+                                   const ros::WallTime& deadline);
   void read_labelled(const std::string& topic, const sensor_msgs::PointCloud2& cloud);
   void read_scene(const std::string& topic, const ObjectClouds& clouds);
   NamedLabel meaning_of(std::uint32_t label) const;
@@ -47,8 +57,7 @@ class SceneIntake {
 
   NodeParameters parameters_;
   PatientFrameLookup T_fixed_from_;
-  LiveScene& scene_;
-  RejectionLog& rejections_;
+  Sinks sinks_;
 };
 
 }  // namespace rigidformer_ros

@@ -4,6 +4,7 @@
 
 #include <ros/time.h>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ struct ObservedObject {
   bool assumed_static = false;     ///< Seen too little to know its velocity
   bool low_quality = false;        ///< The newest cloud does not fit a pose well
   RegistrationQuality quality;
+  std::uint64_t track = 0;  ///< Number of its track; every new track has another
 };
 
 struct SkippedObject {
@@ -48,6 +50,16 @@ struct ObservedScene {
   std::vector<ObservedObject> objects;
   std::vector<SkippedObject> skipped;
 };
+
+/// Where the object of one track was seen.
+struct TrackRecord {
+  std::uint64_t track = 0;
+  PoseHistory poses;
+  bool low_quality = false;  ///< The newest pose
+};
+
+/// By object id.
+using TrackRecords = std::map<std::string, TrackRecord>;
 
 /// What became of an observation.
 enum class AddResult {
@@ -71,11 +83,14 @@ class TrackStore {
   /// The newest scene that all current objects share; empty store = empty scene with stamp 0.
   ObservedScene snapshot(double time_step_s) const;
 
+  TrackRecords records() const;
+
   void clear() { tracks_.clear(); }
   bool empty() const { return tracks_.empty(); }
 
  private:
   struct Track {
+    std::uint64_t number = 0;
     Points points_reference;              ///< Ordered: all rows, about the centroid of the finite ones
     std::vector<int> rows;                ///< Ordered: finite rows of the reference
     std::optional<CloudTracker> tracker;  ///< Otherwise
@@ -104,6 +119,7 @@ class TrackStore {
   HistoryParameters history_;
   CorrespondenceParameters correspondence_;
   std::map<std::string, Track> tracks_;
+  std::uint64_t num_tracks_begun_ = 0;
 };
 
 }  // namespace rigidformer_ros

@@ -19,6 +19,8 @@ class ForecastVisualizer {
  public:
   ForecastVisualizer(const DisplayParameters& display, std::string fixed_frame);
 
+  void set_display(const DisplayParameters& display) { display_ = display; }
+
   visualization_msgs::MarkerArray draw(const SceneRollout& rollout);
 
   /// Deletes everything drawn so far; empty when nothing is.

@@ -88,6 +88,7 @@ SceneForecast to_forecast(const SceneRollout& rollout, const ForecastSelection& 
   message.header = header_at(rollout, 0, fixed_frame);
   message.time_step = rollout.scene.time_step_s;
   message.compute_time = rollout.outcome.forecast.compute_time_s;
+  message.trusted_horizon = rollout.trusted_horizon_s;
   message.model_id = model_label(rollout.model);
   const auto& times_s = rollout.outcome.forecast.times_s;
   for (std::size_t k = 0; k < times_s.size(); k += static_cast<std::size_t>(selection.record_every)) {
@@ -146,6 +147,19 @@ sensor_msgs::PointCloud2 object_points_at(const SceneRollout& rollout, std::size
       rollout.scene.objects.at(object).state.points_reference));
   cloud.header = header_at(rollout, step, fixed_frame);
   return cloud;
+}
+
+nav_msgs::Path path_of(const SceneRollout& rollout, std::size_t object, const std::string& fixed_frame) {
+  const rigidformer::ObjectForecast& forecast = rollout.outcome.forecast.objects.at(object);
+  nav_msgs::Path path;
+  path.header = header_at(rollout, 0, fixed_frame);
+  for (std::size_t k = 0; k < forecast.poses.size(); ++k) {
+    geometry_msgs::PoseStamped stamped;
+    stamped.header = header_at(rollout, k, fixed_frame);
+    stamped.pose = to_pose(forecast.poses[k]);
+    path.poses.push_back(stamped);
+  }
+  return path;
 }
 
 geometry_msgs::PoseArray poses_at(const SceneRollout& rollout, std::size_t step, const std::string& fixed_frame) {

@@ -2,20 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer_ros/forecast_publisher.hpp"
 
+#include <vector>
+
 #include "rigidformer_ros/forecast_messages.hpp"
 #include "rigidformer_ros/names.hpp"
 
 namespace rigidformer_ros {
 
 ForecastPublisher::ForecastPublisher(ros::NodeHandle& node, const NodeParameters& parameters)
-    : node_(node),
-      fixed_frame_(parameters.fixed_frame),
+    : fixed_frame_(parameters.fixed_frame),
+      check_window_s_(parameters.diagnostics.check_window),
       with_markers_(parameters.display.markers),
       visualizer_(parameters.display, parameters.fixed_frame),
-      forecast_(node_.advertise<SceneForecast>(names::kForecast, 1)),
-      forecast_cloud_(node_.advertise<sensor_msgs::PointCloud2>(names::kForecastCloud, 1)),
-      predicted_poses_(node_.advertise<geometry_msgs::PoseArray>(names::kPredictedPoses, 1)),
-      markers_(node_.advertise<visualization_msgs::MarkerArray>(names::kMarkers, 1)) {}
+      forecast_(node.advertise<SceneForecast>(names::kForecast, 1)),
+      forecast_cloud_(node.advertise<sensor_msgs::PointCloud2>(names::kForecastCloud, 1)),
+      predicted_poses_(node.advertise<geometry_msgs::PoseArray>(names::kPredictedPoses, 1)),
+      markers_(node.advertise<visualization_msgs::MarkerArray>(names::kMarkers, 1)),
+      forecast_error_(node.advertise<ForecastError>(names::kForecastError, 1)),
+      object_points_(node, names::predicted_points),
+      paths_(node, names::path) {}
 
 void ForecastPublisher::publish(const SceneRollout& rollout) {
   forecast_.publish(to_forecast(rollout, {}, fixed_frame_));
@@ -23,32 +28,50 @@ void ForecastPublisher::publish(const SceneRollout& rollout) {
   if (forecast_cloud_.getNumSubscribers() > 0) {
     forecast_cloud_.publish(to_points_cloud(rollout, {}, fixed_frame_, /*first_step=*/1));
   }
-  publish_object_points(rollout);
+  publish_objects(rollout);
   if (with_markers_) {
     markers_.publish(visualizer_.draw(rollout));
   }
 }
 
-void ForecastPublisher::publish_object_points(const SceneRollout& rollout) {
-  std::map<std::string, ros::Publisher> current;
-  for (std::size_t i = 0; i < rollout.scene.objects.size(); ++i) {
-    const std::string& id = rollout.scene.objects[i].state.id;
-    const auto known = object_points_.find(id);
-    ros::Publisher publisher = known != object_points_.end()
-                                   ? known->second
-                                   : node_.advertise<sensor_msgs::PointCloud2>(names::predicted_points(id), 1);
-    if (publisher.getNumSubscribers() > 0) {
-      publisher.publish(object_points_at(rollout, i, 1, fixed_frame_));
-    }
-    current[id] = publisher;
+void ForecastPublisher::publish_objects(const SceneRollout& rollout) {
+  std::vector<std::string> ids;
+  for (const ObservedObject& object : rollout.scene.objects) {
+    ids.push_back(object.state.id);
   }
-  object_points_ = std::move(current);  // topics of vanished objects go with them
+  object_points_.set_objects(ids);
+  paths_.set_objects(ids);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    object_points_.publish(ids[i], [&] { return object_points_at(rollout, i, 1, fixed_frame_); });
+    paths_.publish(ids[i], [&] { return path_of(rollout, i, fixed_frame_); });
+  }
+}
+
+void ForecastPublisher::publish(const ForecastQuality& quality, const ros::Time& stamp) {
+  ForecastError message = to_message(quality, check_window_s_);
+  message.header.frame_id = fixed_frame_;
+  message.header.stamp = stamp;
+  forecast_error_.publish(message);
 }
 
 void ForecastPublisher::clear() {
+  clear_markers();
+  object_points_.set_objects({});
+  paths_.set_objects({});
+}
+
+void ForecastPublisher::clear_markers() {
   const visualization_msgs::MarkerArray removals = visualizer_.clear();
   if (!removals.markers.empty()) {
     markers_.publish(removals);
+  }
+}
+
+void ForecastPublisher::set_display(const DisplayParameters& display) {
+  visualizer_.set_display(display);
+  with_markers_ = display.markers;
+  if (!with_markers_) {
+    clear_markers();
   }
 }
 

@@ -30,10 +30,17 @@ void skip_surplus(ObservedScene& scene, int max_objects) {
 }  // namespace
 
 Forecaster::Forecaster(const NodeParameters& parameters, PredictorFactory make_predictor)
-    : predict_(parameters.predict), service_(parameters.service), worker_(std::move(make_predictor)) {}
+    : predict_(parameters.predict),
+      num_steps_(parameters.predict.num_steps),
+      service_(parameters.service),
+      worker_(std::move(make_predictor)) {}
 
 double Forecaster::length_scale(const ObservedScene& scene, const rigidformer::ModelInfo& info) const {
   return predict_.length_scale ? *predict_.length_scale : automatic_length_scale(states(scene), info);
+}
+
+std::optional<rigidformer::ModelInfo> Forecaster::model() const {
+  return ready() ? std::make_optional(worker_.info()) : std::nullopt;
 }
 
 rigidformer::ModelInfo Forecaster::model_for(const ObservedScene& scene) const {
@@ -43,7 +50,7 @@ rigidformer::ModelInfo Forecaster::model_for(const ObservedScene& scene) const {
 
 RolloutSettings Forecaster::default_settings() const {
   RolloutSettings settings;
-  settings.options.num_steps = predict_.num_steps;
+  settings.options.num_steps = num_steps_;
   settings.options.time_step_s = predict_.time_step;
   settings.options.gravity = predict_.gravity;
   settings.options.ground_height_m = predict_.ground_height;
@@ -56,7 +63,7 @@ SceneRollout Forecaster::roll_out(ObservedScene scene, RolloutSettings settings)
   settings.length_scale = length_scale(scene, info);
   skip_surplus(scene, info.max_objects);
   RolloutOutcome outcome = rigidformer_ros::roll_out(worker_, states(scene), settings);
-  return {std::move(scene), std::move(outcome), to_real_scale(info, settings.length_scale)};
+  return {std::move(scene), std::move(outcome), to_real_scale(info, settings.length_scale), /*trusted_horizon_s=*/0.0};
 }
 
 }  // namespace rigidformer_ros

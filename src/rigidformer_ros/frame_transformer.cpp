@@ -16,8 +16,8 @@ constexpr double kPollPeriod = 0.005;  // [s] wall time
 
 }  // namespace
 
-FrameTransformer::FrameTransformer(std::string fixed_frame, double timeout_s)
-    : fixed_frame_(std::move(fixed_frame)), timeout_s_(timeout_s), listener_(buffer_) {}
+FrameTransformer::FrameTransformer(std::string fixed_frame, double timeout_s, const ros::NodeHandle& node)
+    : fixed_frame_(std::move(fixed_frame)), timeout_s_(timeout_s), listener_(buffer_, node) {}
 
 rigidformer::RigidTransform FrameTransformer::T_fixed_from(const std::string& frame_id, const ros::Time& stamp) const {
   return T_fixed_from(frame_id, stamp, timeout_s_);

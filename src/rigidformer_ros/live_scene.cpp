@@ -37,6 +37,7 @@ void LiveScene::add(const ObjectObservation& observation) {
       rejections_.add("cloud that fits no pose well", "'" + observation.id + "': forecast with status LOW_QUALITY");
       break;
     case AddResult::kTimeRestarted:
+      ++epoch_;
       ROS_INFO_STREAM("Stamps of '" << observation.id << "' jumped back: all tracks were cleared.");
       break;
     default:
@@ -48,6 +49,7 @@ void LiveScene::watch_clock(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (gate_.clock_restarted(now)) {
     tracks_.clear();
+    ++epoch_;
     ROS_INFO_STREAM("The clock jumped back to " << now.toSec() << " s: all tracks were cleared.");
   }
 }
@@ -55,11 +57,22 @@ void LiveScene::watch_clock(const ros::Time& now) {
 void LiveScene::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   tracks_.clear();
+  ++epoch_;
 }
 
 ObservedScene LiveScene::snapshot(double time_step_s) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return tracks_.snapshot(time_step_s);
+}
+
+TrackRecords LiveScene::records() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return tracks_.records();
+}
+
+std::uint64_t LiveScene::epoch() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return epoch_;
 }
 
 }  // namespace rigidformer_ros

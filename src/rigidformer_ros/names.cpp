@@ -6,14 +6,22 @@
 
 namespace rigidformer_ros::names {
 
-std::string predicted_points(const std::string& object_id) {
+namespace {
+
+std::string as_segment(const std::string& object_id) {
   std::string segment = object_id;
   for (char& c : segment) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) {
       c = '_';
     }
   }
-  return "predicted/" + segment + "/points";
+  return segment;
 }
+
+}  // namespace
+
+std::string predicted_points(const std::string& object_id) { return "predicted/" + as_segment(object_id) + "/points"; }
+
+std::string path(const std::string& object_id) { return "paths/" + as_segment(object_id); }
 
 }  // namespace rigidformer_ros::names

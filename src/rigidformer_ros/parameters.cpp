@@ -155,6 +155,7 @@ void read_service(ParameterReader& reader, ServiceParameters& service) {
   reader.read("max_steps", service.max_steps, {1, 100000});
   reader.read("max_wall_time", service.max_wall_time, kPositiveSeconds);
   reader.read("max_state_age", service.max_state_age, kPositiveSeconds);
+  reader.read("max_clients_queued", service.max_clients_queued, {0, 1000});
   reader.read("max_returned_points", service.max_returned_points, {1, 1e8});
   reader.read("settle_linear_speed", service.settle_linear_speed, {0.0, 100.0});
   reader.read("settle_angular_speed", service.settle_angular_speed, {0.0, 100.0});
@@ -181,6 +182,17 @@ void read_display(ParameterReader& reader, DisplayParameters& display) {
   reader.read("path_width", display.path_width, kMetres);
   reader.read("label_size", display.label_size, kMetres);
   reader.read("marker_lifetime", display.marker_lifetime, kSeconds);
+}
+
+void read_diagnostics(ParameterReader& reader, DiagnosticsParameters& diagnostics) {
+  reader.read("report_period", diagnostics.report_period, {0.1, 3600.0});
+  reader.read("period", diagnostics.period, {0.1, 60.0});
+  reader.read("max_input_age", diagnostics.max_input_age, kPositiveSeconds);
+  reader.read("max_processing_time", diagnostics.max_processing_time, kPositiveSeconds);
+  reader.read("max_consecutive_delay", diagnostics.max_consecutive_delay, kPositiveSeconds);
+  reader.read("check_window", diagnostics.check_window, {1.0, 3600.0});
+  reader.read("trusted_position_error", diagnostics.trusted_position_error, {0.0, 100.0});
+  reader.read("trusted_rotation_error", diagnostics.trusted_rotation_error, {0.0, 3.15});
 }
 
 void overlay(PhysicalProperties& base, const PhysicalProperties& top) {
@@ -211,9 +223,7 @@ NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree) {
   reader.group("service", [&](ParameterReader& group) { read_service(group, p.service); });
   reader.group("properties", [&](ParameterReader& group) { read_property_parameters(group, p.properties); });
   reader.group("display", [&](ParameterReader& group) { read_display(group, p.display); });
-  reader.group("diagnostics", [&](ParameterReader& group) {
-    group.read("report_period", p.diagnostics.report_period, {0.1, 3600.0});
-  });
+  reader.group("diagnostics", [&](ParameterReader& group) { read_diagnostics(group, p.diagnostics); });
   reader.finish();
   if (p.fixed_frame.empty()) {
     throw std::invalid_argument("parameter fixed_frame: is empty, must name a tf frame with z up");

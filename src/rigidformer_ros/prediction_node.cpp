@@ -11,21 +11,29 @@
 
 namespace rigidformer_ros {
 
-PredictionNode::Lane::Lane() : spinner(1, &queue) { node.setCallbackQueue(&queue); }
+PredictionNode::Lane::Lane(const ros::NodeHandle& parent, std::uint32_t num_threads)
+    : node(parent), spinner(num_threads, &queue) {
+  node.setCallbackQueue(&queue);
+}
 
-PredictionNode::PredictionNode(const NodeParameters& parameters, PredictorFactory make_predictor)
+PredictionNode::PredictionNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                               const NodeParameters& parameters, PredictorFactory make_predictor)
     : parameters_(parameters),
-      frames_(parameters.fixed_frame, parameters.tf_timeout),
+      frames_(parameters.fixed_frame, parameters.tf_timeout, node),
       live_scene_(parameters, rejections_),
-      intake_(
-          parameters,
-          [this](const std::string& frame_id, const ros::Time& stamp, double timeout_s) {
-            return frames_.T_fixed_from(frame_id, stamp, timeout_s);
-          },
-          live_scene_, rejections_),
+      intake_(parameters,
+              [this](const std::string& frame_id, const ros::Time& stamp, double timeout_s) {
+                return frames_.T_fixed_from(frame_id, stamp, timeout_s);
+              },
+              {live_scene_, rejections_, input_monitor_, timing_}),
       forecaster_(parameters, std::move(make_predictor)),
-      publisher_(forecast_lane_.node, parameters),
-      service_(service_lane_.node, parameters, forecaster_, live_scene_, frames_),
+      input_lane_(node),
+      forecast_lane_(node),
+      service_lane_(node, RolloutService::num_threads(parameters.service)),
+      health_lane_(node),
+      forecast_loop_(forecast_lane_.node, parameters,
+                     {live_scene_, forecaster_, rejections_, input_monitor_, timing_, quality_}),
+      service_(service_lane_.node, parameters, forecaster_, live_scene_, frames_, quality_),
       inputs_(input_lane_.node, parameters.input,
               [this](const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
                 intake_.take_object(source, cloud);
@@ -35,55 +43,30 @@ PredictionNode::PredictionNode(const NodeParameters& parameters, PredictorFactor
           {[this](const std::string& topic, const sensor_msgs::PointCloud2& cloud) {
              intake_.take_labelled(topic, cloud);
            },
-           [this](const std::string& topic, const ObjectClouds& clouds) { intake_.take_scene(topic, clouds); }}) {
+           [this](const std::string& topic, const ObjectClouds& clouds) { intake_.take_scene(topic, clouds); }}),
+      diagnostics_(health_lane_.node, private_node, parameters.diagnostics,
+                   {forecaster_, rejections_, input_monitor_, timing_, quality_}) {
+  ros::NodeHandle tuning_node(private_node);
+  tuning_node.setCallbackQueue(&health_lane_.queue);
+  tuning_ = std::make_unique<TuningServer>(tuning_node, parameters, [this](const NodeParameters& p) { tune(p); });
   // Wall timers: they also run while a simulated clock stands still.
-  forecast_timer_ = forecast_lane_.node.createWallTimer(ros::WallDuration(1.0 / parameters_.predict.rate),
-                                                        [this](const ros::WallTimerEvent&) { on_forecast_timer(); });
   report_timer_ = input_lane_.node.createWallTimer(ros::WallDuration(parameters_.diagnostics.report_period),
                                                    [this](const ros::WallTimerEvent&) { on_report_timer(); });
-  input_lane_.spinner.start();
-  forecast_lane_.spinner.start();
-  service_lane_.spinner.start();
+  for (Lane* lane : {&input_lane_, &forecast_lane_, &service_lane_, &health_lane_}) {
+    lane->spinner.start();
+  }
 }
 
 PredictionNode::~PredictionNode() {
-  service_lane_.spinner.stop();
-  forecast_lane_.spinner.stop();
-  input_lane_.spinner.stop();
-}
-
-// An exception that leaves a timer callback would end the node.
-void PredictionNode::on_forecast_timer() {
-  try {
-    forecast_newest_scene();
-  } catch (const std::exception& error) {
-    rejections_.add("failed forecast", error.what());
+  for (Lane* lane : {&health_lane_, &service_lane_, &forecast_lane_, &input_lane_}) {
+    lane->spinner.stop();
   }
 }
 
-void PredictionNode::forecast_newest_scene() {
-  const ros::Time now = ros::Time::now();
-  live_scene_.watch_clock(now);
-  if (!forecaster_.ready()) {
-    return;
-  }
-  if (!reported_ready_) {
-    reported_ready_ = true;
-    ROS_INFO("Ready: the model is loaded and warmed up.");
-  }
-  ObservedScene scene = live_scene_.snapshot(parameters_.predict.time_step);
-  const bool outdated = (now - scene.stamp).toSec() > parameters_.history.object_timeout;
-  if (scene.objects.empty() || outdated) {
-    publisher_.clear();
-    last_forecast_size_ = 0;
-    return;
-  }
-  if (scene.stamp == last_forecast_stamp_ && scene.objects.size() == last_forecast_size_) {
-    return;
-  }
-  last_forecast_stamp_ = scene.stamp;
-  last_forecast_size_ = scene.objects.size();
-  publisher_.publish(forecaster_.roll_out(std::move(scene), forecaster_.default_settings()));
+void PredictionNode::tune(const NodeParameters& parameters) {
+  forecaster_.set_num_steps(parameters.predict.num_steps);
+  forecast_loop_.tune(parameters);
+  diagnostics_.tune(parameters.diagnostics);
 }
 
 void PredictionNode::on_report_timer() {
@@ -126,12 +109,18 @@ std::unique_ptr<rigidformer::Predictor> load_model(const rigidformer::PredictorO
   return std::make_unique<rigidformer::Predictor>(resolved);
 }
 
+std::unique_ptr<PredictionNode> make_prediction_node(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                                                     const ModelLoader& make_predictor) {
+  XmlRpc::XmlRpcValue tree;
+  private_node.getParam("", tree);
+  const NodeParameters parameters = read_parameters(tree);
+  return std::make_unique<PredictionNode>(node, private_node, parameters,
+                                          [make_predictor, model = parameters.model] { return make_predictor(model); });
+}
+
 int run_prediction_node(const ModelLoader& make_predictor) {
   try {
-    XmlRpc::XmlRpcValue tree;
-    ros::NodeHandle("~").getParam("", tree);
-    const NodeParameters parameters = read_parameters(tree);
-    const PredictionNode node(parameters, [&] { return make_predictor(parameters.model); });
+    const auto node = make_prediction_node(ros::NodeHandle(), ros::NodeHandle("~"), make_predictor);
     ros::waitForShutdown();
     return 0;
   } catch (const std::invalid_argument& error) {

@@ -24,10 +24,9 @@ std::vector<std::string> RejectionLog::take_report() {
   return lines;
 }
 
-std::uint64_t RejectionLog::total(const std::string& reason) const {
+std::map<std::string, RejectionLog::Count> RejectionLog::counts() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = counts_.find(reason);
-  return found == counts_.end() ? 0 : found->second.total;
+  return counts_;
 }
 
 }  // namespace rigidformer_ros

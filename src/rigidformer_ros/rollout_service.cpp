@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer_ros/rollout_service.hpp"
 
+#include <algorithm>
 #include <boost/function.hpp>
+#include <chrono>
 #include <string>
 #include <utility>
 
 #include "rigidformer_ros/forecast_messages.hpp"
 #include "rigidformer_ros/names.hpp"
 #include "rigidformer_ros/rollout_request.hpp"
+#include "rigidformer_ros/timing_monitor.hpp"
 
 namespace rigidformer_ros {
 
@@ -57,11 +60,28 @@ void fill_outcome(Response& response, const SceneForecast& forecast, const Rollo
   }
 }
 
+/// Counts a client as present for the length of a scope.
+class Presence {
+ public:
+  explicit Presence(std::atomic<int>& count) : count_(count), number_(++count) {}
+  ~Presence() { --count_; }
+  Presence(const Presence&) = delete;
+  Presence& operator=(const Presence&) = delete;
+
+  /// Clients present when this one came, itself included.
+  int number() const { return number_; }
+
+ private:
+  std::atomic<int>& count_;
+  int number_;
+};
+
 }  // namespace
 
 RolloutService::RolloutService(ros::NodeHandle& node, const NodeParameters& parameters, Forecaster& forecaster,
-                               LiveScene& live_scene, const FrameTransformer& frames)
-    : parameters_(parameters), forecaster_(forecaster), live_scene_(live_scene), frames_(frames) {
+                               LiveScene& live_scene, const FrameTransformer& frames,
+                               const SharedValue<ForecastQuality>& quality)
+    : parameters_(parameters), forecaster_(forecaster), live_scene_(live_scene), frames_(frames), quality_(quality) {
   predict_rollout_ = node.advertiseService<Request, Response>(
       names::kPredictRollout, boost::function<bool(Request&, Response&)>([this](Request& request, Response& response) {
         response = answer(request);
@@ -78,7 +98,7 @@ RolloutService::RolloutService(ros::NodeHandle& node, const NodeParameters& para
                          [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
                            live_scene_.reset();
                            response.success = true;
-                           response.message = "all tracks were cleared";
+                           response.message = "all tracks, forecasts and their errors were cleared";
                            return true;
                          }));
 }
@@ -88,7 +108,7 @@ Response RolloutService::answer(const Request& request) {
     if (!forecaster_.ready()) {
       return failure(Response::NOT_READY, forecaster_.message());
     }
-    return roll_out(request);
+    return answer_in_turn(request);
   } catch (const RequestError& error) {
     return failure(error.code(), error.what());
   } catch (const std::exception& error) {
@@ -97,7 +117,24 @@ Response RolloutService::answer(const Request& request) {
   }
 }
 
-Response RolloutService::roll_out(const Request& request) {
+Response RolloutService::answer_in_turn(const Request& request) {
+  const Presence presence(num_clients_);
+  if (presence.number() > parameters_.service.max_clients_queued + 1) {
+    return failure(Response::BUSY, "more than " + std::to_string(parameters_.service.max_clients_queued) +
+                                       " requests are waiting (service/max_clients_queued)");
+  }
+  const double limit_s =
+      request.max_wall_time.toSec() > 0.0 ? request.max_wall_time.toSec() : parameters_.service.max_wall_time;
+  const double start_s = steady_seconds();
+  const std::unique_lock<std::timed_mutex> turn(turn_, std::chrono::duration<double>(limit_s));
+  if (!turn) {
+    return failure(Response::TIMED_OUT,
+                   "max_wall_time: " + std::to_string(limit_s) + " s passed while other requests were answered");
+  }
+  return roll_out(request, steady_seconds() - start_s);
+}
+
+Response RolloutService::roll_out(const Request& request, double waited_s) {
   RequestSources sources;
   sources.live_scene = [this](double time_step_s) { return live_scene_.snapshot(time_step_s); };
   sources.model_for = [this](const ObservedScene& scene) { return forecaster_.model_for(scene); };
@@ -106,7 +143,12 @@ Response RolloutService::roll_out(const Request& request) {
   };
   sources.now = ros::Time::now();
   RolloutTask task = read_request(request, parameters_, forecaster_.default_settings(), sources);
-  const SceneRollout rollout = forecaster_.roll_out(std::move(task.scene), task.settings);
+  constexpr double kNoTimeLeft = 1e-9;  // [s] 0 would be no limit
+  task.settings.max_wall_time_s = std::max(task.settings.max_wall_time_s - waited_s, kNoTimeLeft);
+  SceneRollout rollout = forecaster_.roll_out(std::move(task.scene), task.settings);
+  if (is_empty(request.scene)) {
+    rollout.trusted_horizon_s = quality_.get().trusted_horizon_s;  // measured on the live scene
+  }
 
   Response response;
   response.forecast = to_forecast(rollout, task.selection, parameters_.fixed_frame);

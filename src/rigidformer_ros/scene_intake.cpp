@@ -27,22 +27,21 @@ void check_count(const Points& points, int max_points) {
 
 }  // namespace
 
-SceneIntake::SceneIntake(const NodeParameters& parameters, PatientFrameLookup T_fixed_from, LiveScene& scene,
-                         RejectionLog& rejections)
-    : parameters_(parameters), T_fixed_from_(std::move(T_fixed_from)), scene_(scene), rejections_(rejections) {}
+SceneIntake::SceneIntake(const NodeParameters& parameters, PatientFrameLookup T_fixed_from, const Sinks& sinks)
+    : parameters_(parameters), T_fixed_from_(std::move(T_fixed_from)), sinks_(sinks) {}
 
 // An exception that leaves a subscriber callback would end the node.
 void SceneIntake::guard(const std::string& source, const std::function<void()>& work) {
   try {
     work();
   } catch (const std::invalid_argument& error) {
-    rejections_.add("malformed cloud", source + ": " + error.what());
+    sinks_.rejections.add("malformed cloud", source + ": " + error.what());
   } catch (const RequestError& error) {
-    rejections_.add("malformed cloud", source + ": " + error.what());
+    sinks_.rejections.add("malformed cloud", source + ": " + error.what());
   } catch (const TransformError& error) {
-    rejections_.add("no transform", source + ": " + error.what());
+    sinks_.rejections.add(kNoTransform, source + ": " + error.what());
   } catch (const std::exception& error) {
-    rejections_.add("failed cloud", source + ": " + error.what());
+    sinks_.rejections.add("failed cloud", source + ": " + error.what());
   }
 }
 
@@ -53,33 +52,43 @@ RigidTransform SceneIntake::look_up(const std::string& frame_id, const ros::Time
 }
 
 void SceneIntake::take_object(const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
+  sinks_.monitor.received(source.topic, cloud.header.seq);
   guard(source.topic, [&] {
-    if (!scene_.accepts(source.id, cloud.header.stamp, ros::Time::now())) {
+    if (!sinks_.scene.accepts(source.id, cloud.header.stamp, ros::Time::now())) {
       return;
     }
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.tf_timeout);
-    const Points points = read_points(cloud, static_cast<std::uint64_t>(parameters_.input.max_points));
-    ObjectObservation observation;
-    observation.id = source.id;
-    observation.stamp = cloud.header.stamp;
-    observation.points_world = look_up(cloud.header.frame_id, cloud.header.stamp, deadline).apply(points);
-    observation.mode = source.mode;
-    observation.properties = resolve_properties(parameters_.properties, source.id, source.properties);
-    add(std::move(observation), deadline);
+    add(to_observation(source, cloud, deadline), deadline);
   });
 }
 
+ObjectObservation SceneIntake::to_observation(const ListedObject& source, const sensor_msgs::PointCloud2& cloud,
+                                              const ros::WallTime& deadline) {
+  const StageTimer timer(sinks_.timing, Stage::kPreprocess);
+  const Points points = read_points(cloud, static_cast<std::uint64_t>(parameters_.input.max_points));
+  ObjectObservation observation;
+  observation.id = source.id;
+  observation.stamp = cloud.header.stamp;
+  observation.points_world = look_up(cloud.header.frame_id, cloud.header.stamp, deadline).apply(points);
+  observation.mode = source.mode;
+  observation.properties = resolve_properties(parameters_.properties, source.id, source.properties);
+  return observation;
+}
+
 void SceneIntake::take_labelled(const std::string& topic, const sensor_msgs::PointCloud2& cloud) {
+  sinks_.monitor.received(topic, cloud.header.seq);
   guard(topic, [&] { read_labelled(topic, cloud); });
 }
 
 void SceneIntake::read_labelled(const std::string& topic, const sensor_msgs::PointCloud2& cloud) {
-  if (!scene_.accepts(topic, cloud.header.stamp, ros::Time::now())) {
+  if (!sinks_.scene.accepts(topic, cloud.header.stamp, ros::Time::now())) {
     return;
   }
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.tf_timeout);
+  const double start_s = steady_seconds();
   const auto parts = split_by_label(cloud, static_cast<std::uint64_t>(parameters_.input.max_cloud_points));
   const RigidTransform T_fixed_cloud = look_up(cloud.header.frame_id, cloud.header.stamp, deadline);
+  sinks_.timing.add(Stage::kPreprocess, steady_seconds() - start_s);
   for (const LabelPoints& part : parts) {
     const NamedLabel object = meaning_of(part.label);
     guard(topic + " object '" + object.id + "'", [&] {
@@ -105,11 +114,12 @@ NamedLabel SceneIntake::meaning_of(std::uint32_t label) const {
 }
 
 void SceneIntake::take_scene(const std::string& topic, const ObjectClouds& clouds) {
+  sinks_.monitor.received(topic, clouds.header.seq);
   guard(topic, [&] { read_scene(topic, clouds); });
 }
 
 void SceneIntake::read_scene(const std::string& topic, const ObjectClouds& clouds) {
-  if (is_empty(clouds) || !scene_.accepts(topic, clouds.header.stamp, ros::Time::now())) {
+  if (is_empty(clouds) || !sinks_.scene.accepts(topic, clouds.header.stamp, ros::Time::now())) {
     return;  // an empty message says that nothing was seen
   }
   check_lengths(clouds, topic);
@@ -136,11 +146,13 @@ void SceneIntake::add(ObjectObservation observation, const ros::WallTime& deadli
     try {
       observation.T_world_object = look_up(prefix + observation.id, observation.stamp, deadline);
     } catch (const TransformError& error) {
-      rejections_.add("no pose", "'" + observation.id + "': " + error.what());
+      sinks_.rejections.add("no pose", "'" + observation.id + "': " + error.what());
       return;
     }
   }
-  scene_.add(observation);
+  const StageTimer timer(sinks_.timing, Stage::kRegistration);
+  sinks_.scene.add(observation);
+  sinks_.monitor.used(observation.stamp);
 }
 
 }  // namespace rigidformer_ros

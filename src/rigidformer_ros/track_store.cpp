@@ -58,6 +58,7 @@ AddResult TrackStore::add(const ObjectObservation& observation) {
 
 AddResult TrackStore::begin_track(const ObjectObservation& observation) {
   Track track;
+  track.number = ++num_tracks_begun_;
   track.rows = finite_rows(observation.points_world);
   track.mode = observation.mode;
   track.properties = observation.properties;
@@ -196,6 +197,14 @@ ObservedScene TrackStore::snapshot(double time_step_s) const {
   return scene;
 }
 
+TrackRecords TrackStore::records() const {
+  TrackRecords records;
+  for (const auto& [id, track] : tracks_) {
+    records[id] = {track.number, track.poses, track.low_quality};
+  }
+  return records;
+}
+
 ObservedObject TrackStore::observe(const std::string& id, const Track& track, const ros::Time& stamp,
                                    double time_step_s) const {
   ObservedObject object;
@@ -205,6 +214,7 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, co
       track.tracker ? track.tracker->points_object() : select_rows(track.points_reference, track.rows);
   object.state.properties = track.properties;
   object.quality = track.quality;
+  object.track = track.number;
   object.low_quality = track.low_quality;
   if (is_static(track)) {
     object.state.T_world_current = track.poses.newest_pose();

@@ -3,22 +3,33 @@
 #include <gtest/gtest.h>
 #include <rigidformer_ros/GetModelInfo.h>
 
+#include <string>
+
 #include "rigidformer_ros/node/node_client.hpp"
 
 namespace rigidformer_ros::testing {
 namespace {
 
-TEST(MissingModel, NodeStaysUpAndNamesTheFile) {
-  const auto names_the_file = [] {
+// The node in this namespace is up, not ready, and says so in words that contain `reason`.
+void expect_not_ready(const std::string& ns, const std::string& reason) {
+  const auto names_the_reason = [&] {
     GetModelInfo info;
-    return ros::service::call("get_model_info", info) && !info.response.ready &&
-           info.response.message.find("/nowhere/none.safetensors") != std::string::npos;
+    return ros::service::call(ns + "/get_model_info", info) && !info.response.ready &&
+           info.response.message.find(reason) != std::string::npos;
   };
-  ASSERT_TRUE(NodeClient::wait_until(names_the_file));
-  const Rollout::Response response = NodeClient::call({});
-  EXPECT_EQ(response.error_code, Rollout::Response::NOT_READY);
-  EXPECT_NE(response.message.find("none.safetensors"), std::string::npos) << response.message;
+  ASSERT_TRUE(NodeClient::wait_until(names_the_reason, 60.0));
+  Rollout rollout;
+  ASSERT_TRUE(ros::service::call(ns + "/predict_rollout", rollout));
+  EXPECT_FALSE(rollout.response.success);
+  EXPECT_EQ(rollout.response.error_code, Rollout::Response::NOT_READY);
+  EXPECT_NE(rollout.response.message.find(reason), std::string::npos) << rollout.response.message;
 }
+
+TEST(MissingModel, P20_the_node_stays_up_and_names_the_file) {
+  expect_not_ready("/missing_file", "/nowhere/none.safetensors");
+}
+
+TEST(MissingModel, P21_the_node_stays_up_and_names_the_device) { expect_not_ready("/missing_device", "cuda:99"); }
 
 }  // namespace
 }  // namespace rigidformer_ros::testing

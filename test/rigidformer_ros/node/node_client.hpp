@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <rigidformer_ros/GetModelInfo.h>
 #include <rigidformer_ros/PredictRollout.h>
 #include <rigidformer_ros/SceneForecast.h>
 #include <ros/ros.h>
@@ -70,6 +71,32 @@ class NodeClient {
     return service.response;
   }
 
+  /// Publishes the flights at 30 Hz, `frames` times.
+  void stream(const std::map<std::string, Flight>& flights, int frames) {
+    for (const auto& [id, flight] : flights) {
+      object(id);
+    }
+    flight_start = ros::Time::now();
+    for (int i = 0; i < frames; ++i) {
+      last_stamp = ros::Time::now();
+      for (const auto& [id, flight] : flights) {
+        const Points points = flight.pose((last_stamp - flight_start).toSec()).apply(blob());
+        object(id).publish(stamped_cloud(points, last_stamp));
+      }
+      wait_until([] { return false; }, 1.0 / 30.0);
+    }
+  }
+
+  /// Waits until the model is loaded, then makes the node forget what it saw before.
+  void start_afresh() {
+    const auto is_ready = [] {
+      GetModelInfo info;
+      return ros::service::call("get_model_info", info) && info.response.ready;
+    };
+    ASSERT_TRUE(wait_until(is_ready, 120.0));
+    reset();
+  }
+
   void reset() {
     std_srvs::Trigger service;
     ASSERT_TRUE(ros::service::waitForService("reset", ros::Duration(-1)));
@@ -82,6 +109,8 @@ class NodeClient {
 
   int num_forecasts = 0;
   SceneForecast last_forecast;
+  ros::Time flight_start;  ///< Of the newest stream
+  ros::Time last_stamp;    ///< Likewise
 
  private:
   ros::NodeHandle node_;

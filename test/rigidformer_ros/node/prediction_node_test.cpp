@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <rigidformer_ros/GetModelInfo.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -15,30 +14,13 @@ namespace {
 
 class PredictionNodeTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    ASSERT_TRUE(client.wait_until(
-        [] {
-          GetModelInfo info;
-          return ros::service::call("get_model_info", info) && info.response.ready;
-        },
-        120.0));
-    client.reset();
-  }
+  void SetUp() override { client.start_afresh(); }
 
-  // Publishes the flights at 30 Hz. The node keeps the last state for `max_state_age`.
+  // The node keeps the last state for `max_state_age`.
   void stream(const std::map<std::string, Flight>& flights, int frames = 18) {
-    for (const auto& [id, flight] : flights) {
-      client.object(id);
-    }
-    flight_start = ros::Time::now();
-    for (int i = 0; i < frames; ++i) {
-      const ros::Time stamp = ros::Time::now();
-      for (const auto& [id, flight] : flights) {
-        client.object(id).publish(stamped_cloud(flight.pose((stamp - flight_start).toSec()).apply(blob()), stamp));
-      }
-      last_stamp = stamp;
-      client.wait_until([] { return false; }, 1.0 / 30.0);
-    }
+    client.stream(flights, frames);
+    flight_start = client.flight_start;
+    last_stamp = client.last_stamp;
   }
 
   // The default request, with patience for slow machines.
@@ -67,7 +49,7 @@ class PredictionNodeTest : public ::testing::Test {
   ros::Time last_stamp;
 };
 
-TEST_F(PredictionNodeTest, ForecastMatchesTheParabolaAtTheStatedTimes) {
+TEST_F(PredictionNodeTest, P26_forecast_matches_the_parabola_at_the_stated_times) {
   stream({{"a", without_spin(high_flight())}, {"b", without_spin(high_flight(3.0))}});
   ASSERT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
   const SceneForecast& forecast = client.last_forecast;
@@ -153,7 +135,7 @@ TEST_F(PredictionNodeTest, StatelessQueryUsesTheGivenCloudsOnly) {
   EXPECT_EQ(client.call(request()).forecast.objects.at(0).id, "a") << "the live state is untouched";
 }
 
-TEST_F(PredictionNodeTest, BadRequestsGetTheirCodeAndASentenceNamingTheField) {
+TEST_F(PredictionNodeTest, P24_bad_requests_get_their_code_and_a_sentence_naming_the_field) {
   stream({{"a", high_flight()}});
   for (const BadRequest& bad : kBadRequests) {
     Rollout::Request r = request();

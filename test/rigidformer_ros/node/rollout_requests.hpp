@@ -24,6 +24,14 @@ inline Flight without_spin(Flight flight) {
   return flight;
 }
 
+/// Slides along x without falling.
+inline Flight sliding() {
+  Flight flight = without_spin(high_flight());
+  flight.velocity = {0.5, 0.0, 0.0};
+  flight.gravity = 0.0;
+  return flight;
+}
+
 /// The flight's cloud at time `t` as the scene of a request, stamped 50 s + t.
 inline ObjectClouds scene_at(double t, const Flight& flight) {
   ObjectClouds scene;

@@ -57,6 +57,7 @@ TEST(Conversions, OnlyFlaggedPropertiesCount) {
 TEST(Conversions, TopicOfAnObjectIsALegalName) {
   EXPECT_EQ(names::predicted_points("cup_1"), "predicted/cup_1/points");
   EXPECT_EQ(names::predicted_points("red cup/#1"), "predicted/red_cup__1/points");
+  EXPECT_EQ(names::path("red cup/#1"), "paths/red_cup__1");
 }
 
 SceneRollout falling_scene() {
@@ -128,6 +129,18 @@ TEST(ForecastMessages, CloudsHoldTheRightPointsAtTheRightTimes) {
   EXPECT_EQ(next.width, 10U);
   EXPECT_EQ(next.header.stamp, ros::Time(3, 999) + ros::Duration(0.04));
   EXPECT_EQ(poses_at(rollout, 1, "map").poses.size(), 2U);
+}
+
+TEST(ForecastMessages, APathHasAStampForEveryPose) {
+  const nav_msgs::Path path = path_of(falling_scene(), 1, "map");
+  EXPECT_EQ(path.header.frame_id, "map");
+  EXPECT_EQ(path.header.stamp, ros::Time(3, 999));
+  ASSERT_EQ(path.poses.size(), 7U);
+  for (int k = 0; k <= 6; ++k) {
+    EXPECT_EQ(path.poses[k].header.frame_id, "map");
+    EXPECT_EQ(path.poses[k].header.stamp, ros::Time(3, 999 + k * 40000000));
+    EXPECT_NEAR(path.poses[k].pose.position.z, Flight().pose(0.04 * k).translation.z(), 1e-12);
+  }
 }
 
 }  // namespace

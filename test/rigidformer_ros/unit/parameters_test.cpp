@@ -131,6 +131,7 @@ std::map<std::string, std::string> defaults() {
           {"/service/max_steps", text_of(p.service.max_steps)},
           {"/service/max_wall_time", text_of(p.service.max_wall_time)},
           {"/service/max_state_age", text_of(p.service.max_state_age)},
+          {"/service/max_clients_queued", text_of(p.service.max_clients_queued)},
           {"/service/max_returned_points", text_of(p.service.max_returned_points)},
           {"/service/settle_linear_speed", text_of(p.service.settle_linear_speed)},
           {"/service/settle_angular_speed", text_of(p.service.settle_angular_speed)},
@@ -146,7 +147,14 @@ std::map<std::string, std::string> defaults() {
           {"/display/path_width", text_of(p.display.path_width)},
           {"/display/label_size", text_of(p.display.label_size)},
           {"/display/marker_lifetime", text_of(p.display.marker_lifetime)},
-          {"/diagnostics/report_period", text_of(p.diagnostics.report_period)}};
+          {"/diagnostics/report_period", text_of(p.diagnostics.report_period)},
+          {"/diagnostics/period", text_of(p.diagnostics.period)},
+          {"/diagnostics/max_input_age", text_of(p.diagnostics.max_input_age)},
+          {"/diagnostics/max_processing_time", text_of(p.diagnostics.max_processing_time)},
+          {"/diagnostics/max_consecutive_delay", text_of(p.diagnostics.max_consecutive_delay)},
+          {"/diagnostics/check_window", text_of(p.diagnostics.check_window)},
+          {"/diagnostics/trusted_position_error", text_of(p.diagnostics.trusted_position_error)},
+          {"/diagnostics/trusted_rotation_error", text_of(p.diagnostics.trusted_rotation_error)}};
 }
 
 TEST(Parameters, TheYamlFileListsEveryParameterWithItsDefault) {
@@ -202,6 +210,9 @@ TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
       {"{predict: {num_steps: 0}}", {"predict/num_steps", "[1, 10000]"}},
       {"{predict: {time_step: -1}}", {"predict/time_step", "a number in"}},
       {"{predict: {ground_height: auto}}", {"predict/ground_height", "'none'"}},
+      {"{predict: {gravity: 9.81}}", {"predict/gravity", "[-100, 0]"}},
+      {"{predict: {gravity: [0, 0, -9.81]}}", {"predict/gravity", "a number"}},
+      {"{predict: {gravity: down}}", {"predict/gravity", "a number"}},
       {"{predict: 3}", {"predict", "group"}},
       {"{predict: {time_stp: 0.01}}", {"predict/time_stp", "unknown; known here"}},
       {"{fixd_frame: world}", {"fixd_frame", "unknown"}},

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -99,7 +100,7 @@ TEST(Rollout, AutomaticScaleBringsTheMedianObjectToTheTrainedSize) {
   EXPECT_EQ(automatic_length_scale({}, info), 1.0);
 }
 
-TEST(Rollout, ADivergedObjectStandsStillAndHarmsNoOther) {
+TEST(Rollout, P16_an_object_that_is_not_finite_stands_still_and_harms_no_other) {
   const auto worker = ready_worker([] { return std::make_unique<FaultyPredictor>(); });
   const Flight flight;
   const RolloutOutcome outcome = roll_out(*worker, {flying("bad", flight), flying("good", flight)}, settings(20));
@@ -146,7 +147,7 @@ TEST(Rollout, SettledStepIsTheStartOfTheFinalRest) {
   EXPECT_EQ(settled_step(poses, 0.1, {0.02, 0.1, 0.25}), -1);
 }
 
-TEST(InferenceWorker, SaysWhyTheModelIsMissingAndPassesErrorsOn) {
+TEST(InferenceWorker, P15_says_why_the_model_is_missing_and_passes_errors_on) {
   const auto failed = ready_worker(
       []() -> std::unique_ptr<rigidformer::Predictor> { throw std::runtime_error("no such file: x.safetensors"); });
   EXPECT_EQ(failed->state(), InferenceWorker::State::kFailed);
@@ -161,6 +162,31 @@ TEST(InferenceWorker, SaysWhyTheModelIsMissingAndPassesErrorsOn) {
   const auto worker = ready_worker([] { return std::make_unique<Throwing>(); });
   EXPECT_THROW(worker->predict({}, {}).get(), std::runtime_error);
   EXPECT_THROW(worker->predict({}, {}).get(), std::runtime_error);
+}
+
+// Its warm-up lasts until somebody allows it to end.
+class WarmingPredictor : public BallisticPredictor {
+ public:
+  explicit WarmingPredictor(std::shared_future<void> warm) : warm_(std::move(warm)) {}
+  void warm_up() override { warm_.wait(); }
+
+ private:
+  std::shared_future<void> warm_;
+};
+
+TEST(InferenceWorker, P17_is_ready_only_after_the_warm_up) {
+  std::promise<void> warm;
+  const std::shared_future<void> is_warm = warm.get_future().share();
+  InferenceWorker worker([is_warm] { return std::make_unique<WarmingPredictor>(is_warm); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(worker.state(), InferenceWorker::State::kLoading);
+  EXPECT_NE(worker.message().find("warmed up"), std::string::npos);
+  EXPECT_THROW(worker.predict({}, {}), std::logic_error);
+  warm.set_value();
+  while (worker.state() == InferenceWorker::State::kLoading) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(worker.state(), InferenceWorker::State::kReady);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class SceneIntakeTest : public ::testing::Test {
   SceneIntake intake() {
     return {parameters,
             [this](const std::string& frame, const ros::Time&, double timeout_s) { return look_up(frame, timeout_s); },
-            scene, rejections};
+            {scene, rejections, monitor, timing}};
   }
 
   static sensor_msgs::PointCloud2 labelled(const std::vector<std::int64_t>& labels, int points_each = 10) {
@@ -87,6 +87,8 @@ class SceneIntakeTest : public ::testing::Test {
 
   NodeParameters parameters;
   RejectionLog rejections;
+  InputMonitor monitor;
+  TimingMonitor timing;
   LiveScene scene{parameters, rejections};
   std::map<std::string, RigidTransform> frames;
   std::vector<double> waits_s;

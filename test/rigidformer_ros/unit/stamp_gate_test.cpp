@@ -7,7 +7,7 @@
 namespace rigidformer_ros {
 namespace {
 
-TEST(StampGate, AcceptsThePresentAndNamesTheLikelyCauseOtherwise) {
+TEST(StampGate, P06_accepts_the_present_and_names_the_likely_cause_otherwise) {
   const StampGate gate(5.0, 0.5);
   const ros::Time now(1000.0);
   EXPECT_FALSE(gate.objection(ros::Time(999.0), now));
@@ -26,7 +26,7 @@ TEST(StampGate, ReportsARestartOnce) {
   EXPECT_FALSE(gate.clock_restarted(ros::Time(98.1)));
 }
 
-TEST(StampGate, RefusesLeftoversFromBeforeARestart) {
+TEST(StampGate, P07_refuses_leftovers_from_before_a_restart) {
   StampGate gate(5.0, 0.5);
   gate.clock_restarted(ros::Time(100.0));
   EXPECT_FALSE(gate.objection(ros::Time(103.0), ros::Time(100.0)));

@@ -63,7 +63,7 @@ TEST(Visualization, DrawsPathGhostsAndLabel) {
   }
 }
 
-TEST(Visualization, UpdatesInPlaceAndDeletesTheSurplusOnce) {
+TEST(Visualization, P27_updates_in_place_and_deletes_the_surplus_once) {
   ForecastVisualizer visualizer(DisplayParameters(), "map");
   const auto first = by_key(visualizer.draw(rollout({"a", "b", "c"}, 24)));
   std::set<std::pair<std::string, int>> drawn;

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "rigidformer_ros/ballistic_predictor.hpp"
+
+namespace rigidformer {
+
+/// Fails as the objects' ids say. "throws": there is no forecast; "nan": its poses are not finite from the third step
+/// on; "slow": every call takes 50 ms; "hangs": every call takes a second.
+class FaultyPredictor : public BallisticPredictor {
+ public:
+  Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) override {
+    Forecast forecast = BallisticPredictor::predict(objects, rollout);
+    for (ObjectForecast& object : forecast.objects) {
+      if (object.id == "throws") {
+        throw std::runtime_error("tensor trouble");
+      }
+      if (object.id == "slow" || object.id == "hangs") {
+        std::this_thread::sleep_for(std::chrono::milliseconds(object.id == "slow" ? 50 : 1000));
+      }
+      for (std::size_t k = 3; k < object.poses.size() && object.id == "nan"; ++k) {
+        object.poses[k].translation.x() = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+    return forecast;
+  }
+};
+
+}  // namespace rigidformer

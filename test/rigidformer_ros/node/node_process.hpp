@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/network.h>
+#include <ros/ros.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace rigidformer_ros::testing {
+
+/// Process id of a running node, as the node itself says; -1 when it does not answer.
+inline int node_pid(const std::string& name) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue payload;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::master::execute("lookupNode", request, response, payload, false) ||
+      !ros::network::splitURI(static_cast<std::string&>(payload), host, port)) {
+    return -1;
+  }
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  XmlRpc::XmlRpcValue caller;
+  caller[0] = ros::this_node::getName();
+  if (!client.execute("getPid", caller, response) || response.getType() != XmlRpc::XmlRpcValue::TypeArray) {
+    return -1;
+  }
+  return static_cast<int&>(response[2]);
+}
+
+inline int num_threads_of(int pid) {
+  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+  std::string word;
+  int threads = -1;
+  while (status >> word) {
+    if (word == "Threads:") {
+      status >> threads;
+    }
+  }
+  return threads;
+}
+
+/// Index into what the master calls its state.
+enum class Role { kPublisher = 0, kSubscriber = 1 };
+
+/// Topics that a node publishes or subscribes to.
+inline std::set<std::string> topics_of(const std::string& node, Role role) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue state;
+  request[0] = ros::this_node::getName();
+  std::set<std::string> topics;
+  if (!ros::master::execute("getSystemState", request, response, state, false)) {
+    return topics;
+  }
+  XmlRpc::XmlRpcValue& entries = state[static_cast<int>(role)];
+  for (int i = 0; i < entries.size(); ++i) {
+    for (int j = 0; j < entries[i][1].size(); ++j) {
+      if (static_cast<std::string&>(entries[i][1][j]) == node) {
+        topics.insert(static_cast<std::string&>(entries[i][0]));
+      }
+    }
+  }
+  return topics;
+}
+
+inline std::set<std::string> topics_published_by(const std::string& node) { return topics_of(node, Role::kPublisher); }
+
+}  // namespace rigidformer_ros::testing
