@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nodelet/nodelet.h>
 
+#include <exception>
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -12,8 +13,15 @@ namespace rigidformer_ros {
 /// The prediction node inside a nodelet manager, where clouds of other nodelets arrive without being copied.
 class PredictionNodelet : public nodelet::Nodelet {
  private:
-  // An exception here makes the manager refuse the nodelet and say why.
-  void onInit() override { node_ = make_prediction_node(getNodeHandle(), getPrivateNodeHandle()); }
+  // With an exception the manager refuses the nodelet, but it does not say why.
+  void onInit() override {
+    try {
+      node_ = make_prediction_node(getNodeHandle(), getPrivateNodeHandle());
+    } catch (const std::exception& error) {
+      NODELET_FATAL_STREAM(error.what());
+      throw;
+    }
+  }
 
   std::unique_ptr<PredictionNode> node_;
 };
