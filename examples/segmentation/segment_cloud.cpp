@@ -92,7 +92,7 @@ class SegmentCloud {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "segment_cloud");
   ros::NodeHandle node;
-  const SegmentCloud segment_cloud(node);
+  SegmentCloud segment_cloud(node);
   ros::spin();
   return 0;
 }

@@ -231,9 +231,9 @@ NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree) {
   return p;
 }
 
-PhysicalProperties resolve_properties(const PropertyParameters& parameters, const std::string& id,
-                                      const PhysicalProperties& known) {
-  PhysicalProperties properties = parameters.defaults;
+rigidformer::PhysicalProperties resolve_properties(const PropertyParameters& parameters, const std::string& id,
+                                                   const rigidformer::PhysicalProperties& known) {
+  rigidformer::PhysicalProperties properties = parameters.defaults;
   for (const PropertyRule& rule : parameters.objects) {
     if (matches_wildcard(rule.id, id)) {
       overlay(properties, rule.properties);

@@ -50,16 +50,6 @@ geometry_msgs::TransformStamped to_message(const rigidformer::RigidTransform& T_
   return message;
 }
 
-rigidformer::Points points_of(const rigidformer::CameraFrame& frame, int object) {
-  std::vector<int> rows;
-  for (std::size_t i = 0; i < frame.body.size(); ++i) {
-    if (frame.body[i] == object) {
-      rows.push_back(static_cast<int>(i));
-    }
-  }
-  return select_rows(frame.points_camera, rows);
-}
-
 }  // namespace
 
 FrameMessages make_messages(const CameraScene& scene, int frame, const CameraOptions& options, const ros::Time& stamp) {
@@ -70,7 +60,7 @@ FrameMessages make_messages(const CameraScene& scene, int frame, const CameraOpt
   messages.cloud.header.frame_id = options.camera_frame;
   messages.object_clouds.header = messages.cloud.header;
   for (int object = 0; object < scene.num_objects(); ++object) {
-    const rigidformer::Points points = points_of(view.frame, object);
+    const rigidformer::Points points = view.points_of(object);
     if (points.rows() == 0) {
       continue;
     }

@@ -9,6 +9,7 @@
 #include "rigidformer/data/scene_loader.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
 #include "rigidformer/simulation/movi_scene.hpp"
+#include "rigidformer_ros/cloud_conversion.hpp"
 
 namespace rigidformer_ros::camera {
 namespace {
@@ -45,6 +46,16 @@ Eigen::Vector3d scaled(const std::vector<double>& position, double scale) {
 }
 
 }  // namespace
+
+rigidformer::Points CameraView::points_of(int object) const {
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < frame.body.size(); ++i) {
+    if (frame.body[i] == object) {
+      rows.push_back(static_cast<int>(i));
+    }
+  }
+  return select_rows(frame.points_camera, rows);
+}
 
 CameraScene::CameraScene(const CameraOptions& options, std::uint64_t index) : options_(options), index_(index) {
   options.validate();

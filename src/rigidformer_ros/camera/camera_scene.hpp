@@ -17,6 +17,9 @@ struct CameraView {
   rigidformer::DepthImage image;
   rigidformer::CameraFrame frame;
   std::vector<rigidformer::CameraBody> bodies;
+
+  /// The points that are labelled as `object` [N, 3] m, camera frame.
+  rigidformer::Points points_of(int object) const;
 };
 
 /// A moving scene with ground truth in front of a depth camera that stands still.

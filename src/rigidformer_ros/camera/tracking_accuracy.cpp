@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "camera_scene.hpp"
-#include "rigidformer_ros/cloud_conversion.hpp"
 #include "rigidformer_ros/track_store.hpp"
 
 namespace rigidformer_ros::camera {
@@ -52,16 +51,6 @@ std::optional<double> rotation_error(const std::string& shape, const RigidTransf
   }
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   return std::acos(std::clamp((actual.rotation * axis).dot(truth.rotation * axis), -1.0, 1.0));
-}
-
-Points labelled_points(const rigidformer::CameraFrame& frame, int object) {
-  std::vector<int> rows;
-  for (std::size_t i = 0; i < frame.body.size(); ++i) {
-    if (frame.body[i] == object) {
-      rows.push_back(static_cast<int>(i));
-    }
-  }
-  return select_rows(frame.points_camera, rows);
 }
 
 // One scene for one method.
@@ -105,7 +94,7 @@ class ScenePlay {
     if (run_.accuracy.method == "ordered") {
       observation.points_world = scene_.T_world_object(object, time_s).apply(scene_.surface_points(object));
     } else {
-      observation.points_world = scene_.T_world_camera().apply(labelled_points(view.frame, object));
+      observation.points_world = scene_.T_world_camera().apply(view.points_of(object));
     }
     if (run_.accuracy.method == "pose") {
       observation.T_world_object = scene_.T_world_object(object, time_s);

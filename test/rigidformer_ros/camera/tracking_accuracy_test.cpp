@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <iostream>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "rigidformer_ros/ballistic_predictor.hpp"
@@ -49,6 +53,31 @@ TEST(TrackingAccuracy, OrderedCloudsAreTrackedExactly) {
   EXPECT_EQ(ordered.within_target, 1.0);
   ASSERT_GT(ordered.forecast_m.at(0).values.size(), 10U);
   EXPECT_LT(ordered.forecast_m[0].quantile(0.5), 0.02);
+}
+
+// The full measure is scripts/tracking_accuracy.sh; this one scene keeps its bounds.
+TEST(TrackingAccuracy, RegistrationKeepsUpWithTruePoses) {
+  NodeParameters parameters;
+  parameters.model.file = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/small.safetensors";
+  parameters.model.warmup_runs = 0;
+  if (!std::filesystem::exists(parameters.model.file)) {
+    GTEST_SKIP() << "no weights";
+  }
+  AccuracyOptions options = small_options({"registration", "pose"});
+  options.camera = CameraOptions();
+  options.camera.seed = 32;
+  options.camera.duration = 1.0;
+  options.min_visible = 0.3;
+  const auto forecaster = make_ready_forecaster(parameters, std::make_unique<rigidformer::Predictor>(parameters.model));
+  const std::vector<MethodAccuracy> methods = measure_accuracy(options, parameters, *forecaster);
+  std::cout << accuracy_table(methods, options);
+  ASSERT_GT(methods[0].position_m.values.size(), 20U);
+  EXPECT_LT(methods[0].position_m.quantile(0.5), 0.01);
+  EXPECT_LT(methods[0].rotation_rad.quantile(0.5), 3.0 * M_PI / 180.0);
+  EXPECT_LT(methods[1].position_m.quantile(1.0), 1e-6);
+  for (std::size_t h = 0; h < options.horizons_s.size(); ++h) {
+    EXPECT_LT(methods[0].forecast_m[h].mean(), 2.0 * methods[1].forecast_m[h].mean() + 0.01) << "horizon " << h;
+  }
 }
 
 TEST(TrackingAccuracy, TheTableNamesEveryMethod) {

@@ -35,10 +35,10 @@ class WatchedScene {
     const double at = (stamp - truth_->header.stamp).toSec() / truth_->time_step;
     const auto object = std::find_if(truth_->objects.begin(), truth_->objects.end(),
                                      [&](const ObjectForecast& candidate) { return candidate.id == id; });
-    if (object == truth_->objects.end() || at < -1e-3 || at > static_cast<double>(object->poses.size()) - 1.0) {
+    if (object == truth_->objects.end() || at < -1e-3 || at > static_cast<double>(object->poses.size()) - 0.999) {
       return std::nullopt;
     }
-    const auto before = static_cast<std::size_t>(std::max(at + 1e-6, 0.0));
+    const auto before = std::min(static_cast<std::size_t>(std::max(at + 1e-6, 0.0)), object->poses.size() - 1);
     const auto after = std::min(before + 1, object->poses.size() - 1);
     return rigidformer::interpolate(to_transform(object->poses[before]), to_transform(object->poses[after]),
                                     at - static_cast<double>(before));

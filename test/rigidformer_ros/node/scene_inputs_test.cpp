@@ -57,7 +57,7 @@ class SceneInputsTest : public ::testing::Test {
                                                              {2, flight(3.0).pose(t).apply(blob())},
                                                              {4, T_world_lift.apply(blob())},
                                                              {9, table},
-                                                             {0, table.array() + 20.0F}};
+                                                             {0, Points((table.array() + 20.0F).matrix())}};
     Points all(0, 3);
     std::vector<std::int64_t> labels;
     for (const auto& [label, points] : parts) {

@@ -27,6 +27,7 @@ const RigidTransform kCamera{Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Ve
 class SceneIntakeTest : public ::testing::Test {
  protected:
   SceneIntakeTest() {
+    ros::Time::init();
     ros::Time::setNow(kNow);
     frames["camera"] = kCamera;
     parameters.input.label_names = {{2, "table", MotionMode::kStatic, {}}, {3, "cup", MotionMode::kKinematic, {}}};
