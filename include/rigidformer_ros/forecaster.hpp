@@ -24,6 +24,9 @@ class Forecaster {
  public:
   Forecaster(const NodeParameters& parameters, PredictorFactory make_predictor);
 
+  /// Ends rollouts in progress after their current job; they throw. For shutting down.
+  void stop() { worker_.stop(); }
+
   bool ready() const { return worker_.state() == InferenceWorker::State::kReady; }
   /// Why it is not ready; empty when it is.
   std::string message() const { return worker_.message(); }

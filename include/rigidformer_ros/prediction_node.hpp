@@ -29,6 +29,9 @@ class PredictionNode {
   PredictionNode(const NodeParameters& parameters, PredictorFactory make_predictor);
   ~PredictionNode();
 
+  /// Ends rollouts in progress, which could take many seconds, after their current job.
+  void stop() { forecaster_.stop(); }
+
  private:
   /// A node handle whose callbacks run one at a time on a thread of their own.
   struct Lane {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "rigidformer_ros/cloud_conversion.hpp"
+#include "rigidformer_ros/process_end.hpp"
 
 namespace rigidformer_ros {
 
@@ -35,6 +36,7 @@ PredictionNode::PredictionNode(const NodeParameters& parameters, PredictorFactor
 }
 
 PredictionNode::~PredictionNode() {
+  stop();
   service_lane_.spinner.stop();
   forecast_lane_.spinner.stop();
   input_lane_.spinner.stop();
@@ -145,9 +147,13 @@ int run_prediction_node(const ModelLoader& make_predictor) {
     XmlRpc::XmlRpcValue tree;
     ros::NodeHandle("~").getParam("", tree);
     const NodeParameters parameters = read_parameters(tree);
-    const PredictionNode node(parameters, [&] { return make_predictor(parameters.model); });
-    ros::waitForShutdown();
-    return 0;
+    ShutdownLimit limit;
+    PredictionNode node(parameters, [&] { return make_predictor(parameters.model); });
+    const int exit_code = wait_for_end();
+    limit.start(exit_code);
+    node.stop();
+    ros::waitForShutdown();  // ROS waits for callbacks in progress
+    return exit_code;
   } catch (const std::invalid_argument& error) {
     ROS_FATAL_STREAM(error.what());
     return 1;
