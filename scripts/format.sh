@@ -7,7 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "$0")/.."
 folders=()
-for folder in include src test benchmark examples; do
+for folder in include src test benchmark examples fuzz; do
   [ -d "$folder" ] && folders+=("$folder")
 done
 mode=(-i)

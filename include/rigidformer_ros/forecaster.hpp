@@ -27,6 +27,9 @@ class Forecaster {
  public:
   Forecaster(const NodeParameters& parameters, PredictorFactory make_predictor);
 
+  /// Ends rollouts in progress after their current job; they throw. For shutting down.
+  void stop() { worker_.stop(); }
+
   InferenceWorker::State state() const { return worker_.state(); }
   bool ready() const { return state() == InferenceWorker::State::kReady; }
   /// Why it is not ready; empty when it is.

@@ -26,10 +26,13 @@ class InferenceWorker {
   enum class State { kLoading, kReady, kFailed };
 
   explicit InferenceWorker(PredictorFactory make_predictor);
-  /// Finishes the job in progress; jobs still waiting get a broken promise.
+  /// Waits for the job in progress.
   ~InferenceWorker();
   InferenceWorker(const InferenceWorker&) = delete;
   InferenceWorker& operator=(const InferenceWorker&) = delete;
+
+  /// Takes no more jobs: those still waiting get a broken promise, so that whoever waits for them ends soon.
+  void stop();
 
   State state() const;
   /// Why the model is not usable; empty when it is.

@@ -40,6 +40,9 @@ class PredictionNode {
                  PredictorFactory make_predictor);
   ~PredictionNode();
 
+  /// Ends rollouts in progress, which could take many seconds, after their current job.
+  void stop() { forecaster_.stop(); }
+
  private:
   /// A node handle whose callbacks run on threads of their own: with one of them, one at a time.
   struct Lane {

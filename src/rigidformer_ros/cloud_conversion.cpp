@@ -68,7 +68,7 @@ Layout read_layout(const PointCloud2& cloud, std::uint64_t max_points) {
                                 std::to_string(max_points));
   }
   if (count == 0) {
-    return layout;
+    return {};  // not even rows: four billion empty ones would keep the reader busy
   }
   if (cloud.is_bigendian) {
     throw std::invalid_argument("is_bigendian: big-endian data is not supported");

@@ -11,13 +11,17 @@ InferenceWorker::InferenceWorker(PredictorFactory make_predictor)
     : thread_([this, make = std::move(make_predictor)] { run(make); }) {}
 
 InferenceWorker::~InferenceWorker() {
+  stop();
+  thread_.join();
+}
+
+void InferenceWorker::stop() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
     jobs_.clear();
   }
   wake_.notify_all();
-  thread_.join();
 }
 
 InferenceWorker::State InferenceWorker::state() const {

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "rigidformer_ros/process_end.hpp"
+
 namespace rigidformer_ros {
 
 PredictionNode::Lane::Lane(const ros::NodeHandle& parent, std::uint32_t num_threads)
@@ -58,6 +60,7 @@ PredictionNode::PredictionNode(const ros::NodeHandle& node, const ros::NodeHandl
 }
 
 PredictionNode::~PredictionNode() {
+  stop();
   for (Lane* lane : {&health_lane_, &service_lane_, &forecast_lane_, &input_lane_}) {
     lane->spinner.stop();
   }
@@ -120,9 +123,13 @@ std::unique_ptr<PredictionNode> make_prediction_node(const ros::NodeHandle& node
 
 int run_prediction_node(const ModelLoader& make_predictor) {
   try {
+    ShutdownLimit limit;
     const auto node = make_prediction_node(ros::NodeHandle(), ros::NodeHandle("~"), make_predictor);
-    ros::waitForShutdown();
-    return 0;
+    const int exit_code = wait_for_end();
+    limit.start(exit_code);
+    node->stop();
+    ros::waitForShutdown();  // ROS waits for callbacks in progress
+    return exit_code;
   } catch (const std::invalid_argument& error) {
     ROS_FATAL_STREAM(error.what());
     return 1;

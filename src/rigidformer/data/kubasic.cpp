@@ -4,17 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+
+#include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
 namespace {
 
 constexpr char kGeometryFile[] = "collision_geometry.obj";
 constexpr char kDataFile[] = "data.json";
+constexpr std::uintmax_t kMaxGeometryBytes = 16u << 20;
+constexpr std::uintmax_t kMaxDataBytes = 1u << 20;
 constexpr double kConvexityTolerance = 2e-3;  // [m]: published hulls are rounded to six digits and merged loosely
 
 const std::map<std::string, double>& mass_table() {
@@ -47,19 +51,26 @@ void parse_face(const std::filesystem::path& path, std::istringstream& line, int
   for (std::string word; line >> word;) {
     int index = 0;
     if (!(std::istringstream(word) >> index)) fail(path, "broken face line");
-    const int local = index - 1 - first;
-    if (local < 0 || local >= static_cast<int>(part.vertices.size())) {
+    const std::int64_t local = std::int64_t{index} - 1 - first;
+    if (local < 0 || local >= static_cast<std::int64_t>(part.vertices.size())) {
       fail(path, "face index " + std::to_string(index) + " points outside its group");
     }
-    corners.push_back(local);
+    corners.push_back(static_cast<int>(local));
   }
   if (corners.size() < 3) fail(path, "a face has fewer than three corners");
   for (std::size_t i = 2; i < corners.size(); ++i) part.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
 }
 
+std::string read_geometry(const std::filesystem::path& path) {
+  try {
+    return read_text_file(path, kMaxGeometryBytes);
+  } catch (const std::runtime_error& error) {
+    fail(path, error.what());
+  }
+}
+
 std::vector<PartBuilder> parse_obj(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in) fail(path, "cannot read");
+  std::istringstream in(read_geometry(path));
   std::vector<PartBuilder> parts;
   int first = 0;
   for (std::string text; std::getline(in, text);) {
@@ -136,16 +147,12 @@ double volume(const Shape& shape) {
 
 /// Mass from data.json; 0 and the defect when it cannot be had.
 double mass_from_data_file(const std::filesystem::path& path, std::string& defect) {
-  std::ifstream in(path);
-  if (!in) {
-    defect = "cannot be read";
-    return 0.0;
-  }
   try {
-    const double mass = nlohmann::json::parse(in).at("kwargs").at("mass").get<double>();
+    const nlohmann::json sheet = nlohmann::json::parse(read_text_file(path, kMaxDataBytes));
+    const double mass = sheet.at("kwargs").at("mass").get<double>();
     if (mass > 0.0 && std::isfinite(mass)) return mass;
     defect = "kwargs.mass is not > 0";
-  } catch (const nlohmann::json::exception& exception) {
+  } catch (const std::exception& exception) {
     defect = exception.what();
   }
   return 0.0;
@@ -204,7 +211,7 @@ std::vector<Shape> load_kubasic_shapes(const std::filesystem::path& folder, std:
 void write_kubasic_shape(const std::filesystem::path& folder, const Shape& shape) {
   const std::filesystem::path target = folder / shape.name;
   std::filesystem::create_directories(target);
-  std::ofstream geometry(target / kGeometryFile);
+  std::ostringstream geometry;
   geometry.precision(9);
   int first = 1;
   for (std::size_t i = 0; i < shape.parts.size(); ++i) {
@@ -219,12 +226,13 @@ void write_kubasic_shape(const std::filesystem::path& folder, const Shape& shape
     }
     first += static_cast<int>(part.vertices.rows());
   }
-  std::ofstream data(target / kDataFile);
   const nlohmann::json sheet = {{"id", shape.name}, {"kwargs", {{"mass", shape.mass_kg}}}};
-  data << sheet.dump(2) << '\n';
-  geometry.close();
-  data.close();
-  if (!geometry || !data) fail(target, "cannot write");
+  try {
+    write_text_file(target / kGeometryFile, geometry.str());
+    write_text_file(target / kDataFile, sheet.dump(2) + '\n');
+  } catch (const std::runtime_error& error) {
+    fail(target, error.what());
+  }
 }
 
 }  // namespace rigidformer

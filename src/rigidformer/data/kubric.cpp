@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/data/kubric.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr char kFileName[] = "metadata.json";
+constexpr std::uintmax_t kMaxFileBytes = 64u << 20;
 
 /// A JSON value that knows where it stands, so that every error names file and key.
 class Node {
@@ -42,6 +44,11 @@ class Node {
   double number() const {
     if (!value_.is_number()) fail("is not a number");
     return value_.get<double>();
+  }
+
+  std::uint64_t natural() const {
+    if (!value_.is_number_unsigned()) fail("is not an integer >= 0");
+    return value_.get<std::uint64_t>();
   }
 
   std::string text() const {
@@ -146,12 +153,12 @@ Json to_json(const RecordedObject& object) {
 }
 
 Json parse_file(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("Kubric scene '" + file.string() + "': cannot read");
   try {
-    return Json::parse(in);
+    return Json::parse(read_text_file(file, kMaxFileBytes));
   } catch (const Json::exception& exception) {
     throw std::runtime_error("Kubric scene '" + file.string() + "': not valid JSON: " + exception.what());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("Kubric scene '" + file.string() + "': " + error.what());
   }
 }
 
@@ -165,7 +172,7 @@ SceneRecording read_kubric_scene(const std::filesystem::path& path) {
 
   SceneRecording scene;
   scene.name = file.parent_path().filename().string();
-  if (metadata.has("seed")) scene.seed = static_cast<std::uint64_t>(metadata.at("seed").number());
+  if (metadata.has("seed")) scene.seed = metadata.at("seed").natural();
   scene.frame_rate_hz = metadata.at("frame_rate").number();
   if (!(scene.frame_rate_hz > 0.0)) metadata.at("frame_rate").fail("must be > 0");
   const double num_frames = metadata.at("num_frames").number();
@@ -190,13 +197,11 @@ void write_kubric_scene(const std::filesystem::path& folder, const SceneRecordin
   Json& instances = json["instances"] = Json::array();
   for (const RecordedObject& object : scene.objects) instances.push_back(to_json(object));
 
-  // Renamed when complete, so that a crash never leaves half a scene.
-  const std::filesystem::path temporary = folder / (std::string(kFileName) + ".tmp");
-  std::ofstream out(temporary);
-  out << json.dump();
-  out.close();
-  if (!out) throw std::runtime_error("Kubric scene '" + (folder / kFileName).string() + "': cannot write");
-  std::filesystem::rename(temporary, folder / kFileName);
+  try {
+    write_text_file(folder / kFileName, json.dump());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("Kubric scene '" + (folder / kFileName).string() + "': " + error.what());
+  }
 }
 
 }  // namespace rigidformer

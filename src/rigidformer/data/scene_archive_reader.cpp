@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "rigidformer/data/scene_archive.hpp"
 #include "rigidformer/io/tensor_file.hpp"
+#include "rigidformer/io/text_file.hpp"
 #include "scene_archive_format.hpp"
 
 namespace rigidformer {
@@ -52,6 +52,11 @@ class Reader {
     return list;
   }
 
+  Json json(const std::string& key) const {
+    if (nests_too_deeply(text(key))) fail_here("metadata '" + key + "' is nested too deeply");
+    return Json::parse(text(key));
+  }
+
   const RawTensor& find(const std::string& name) const {
     const auto entry = file_.tensors.find(name);
     if (entry == file_.tensors.end()) fail_here("tensor '" + name + "' is missing");
@@ -64,10 +69,11 @@ class Reader {
 };
 
 constexpr std::int64_t kAny = -1;
+constexpr std::int64_t kMaxFrames = 1000000;
 
 std::vector<Shape> unpack_shapes(const Reader& reader) {
   std::vector<Shape> shapes;
-  for (const Json& entry : Json::parse(reader.text("shapes"))) {
+  for (const Json& entry : reader.json("shapes")) {
     shapes.push_back({entry.at("name").get<std::string>(), entry.at("mass_kg").get<double>(), {}});
   }
   const auto part_shape = reader.indices("part_shape", kAny, signed_size(shapes.size()));
@@ -102,9 +108,10 @@ std::vector<Shape> unpack_shapes(const Reader& reader) {
 
 std::vector<SceneRecording> unpack_scenes(const Reader& reader, int num_frames) {
   std::vector<SceneRecording> scenes;
-  for (const Json& entry : Json::parse(reader.text("scenes"))) {
+  for (const Json& entry : reader.json("scenes")) {
     SceneRecording scene;
     scene.name = entry.at("name").get<std::string>();
+    if (!entry.at("seed").is_number_unsigned()) reader.fail_here("scene '" + scene.name + "' has no integer seed >= 0");
     scene.seed = entry.at("seed").get<std::uint64_t>();
     scene.frame_rate_hz = entry.at("frame_rate_hz").get<double>();
     scene.num_frames = num_frames;
@@ -168,7 +175,7 @@ SceneArchive read_scene_archive(const std::filesystem::path& path) {
          "has format version " + reader.text("format_version") + ", this program reads " + std::to_string(kVersion));
   }
   const RawTensor& poses = reader.find("poses");
-  if (poses.shape.size() != 3 || poses.shape[1] > std::numeric_limits<std::int32_t>::max()) {
+  if (poses.shape.size() != 3 || poses.shape[1] > kMaxFrames) {
     fail(path, "tensor 'poses' has an unexpected shape");
   }
   const int num_frames = static_cast<int>(poses.shape[1]);

@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "rigidformer/io/sha256.hpp"
+#include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMaxHeaderBytes = 16u << 20;
+constexpr std::uint64_t kMaxFileBytes = 4ull << 30;  // a sparse file of any length costs no disk
 constexpr char kHashKey[] = "sha256";
 constexpr char kMetadataKey[] = "__metadata__";
 
@@ -73,11 +75,20 @@ struct Extent {
   RawTensor tensor;  ///< Without its bytes
 };
 
+/// The entries of a list of integers; anything else would be converted, out of range even with undefined outcome.
+template <typename Integer>
+std::vector<Integer> integers(const std::filesystem::path& path, const std::string& tensor, const Json& list) {
+  bool fits = list.is_array();
+  for (const Json& value : list) fits = fits && value.is_number_integer();
+  if (!fits) fail(path, "header is not valid: tensor '" + tensor + "' has something else than a list of integers");
+  return list.get<std::vector<Integer>>();
+}
+
 Extent parse_extent(const std::filesystem::path& path, const std::string& name, const Json& entry) {
   Extent extent{0, 0, name, {}};
   extent.tensor.type = type_named(path, name, entry.at("dtype").get<std::string>());
-  extent.tensor.shape = entry.at("shape").get<std::vector<std::int64_t>>();
-  const auto offsets = entry.at("data_offsets").get<std::vector<std::uint64_t>>();
+  extent.tensor.shape = integers<std::int64_t>(path, name, entry.at("shape"));
+  const auto offsets = integers<std::uint64_t>(path, name, entry.at("data_offsets"));
   const std::uint64_t size = checked_num_elements(path, name, extent.tensor.shape) * size_in_bytes(extent.tensor.type);
   if (offsets.size() != 2 || offsets[0] > offsets[1] || offsets[1] - offsets[0] != size) {
     fail(path, "tensor '" + name + "' has a size that does not fit its shape");
@@ -189,6 +200,9 @@ TensorFileReader::Impl::Impl(const std::filesystem::path& file) : path(file), in
   std::error_code error;
   const std::uintmax_t file_size = std::filesystem::file_size(path, error);
   if (error) fail(path, "cannot read: " + error.message());
+  if (file_size > kMaxFileBytes) {
+    fail(path, "has " + std::to_string(file_size) + " bytes, accepted are at most " + std::to_string(kMaxFileBytes));
+  }
   std::uint64_t header_size = 0;
   if (!in.read(reinterpret_cast<char*>(&header_size), sizeof(header_size))) fail(path, "too short to be a tensor file");
   if (header_size > kMaxHeaderBytes || header_size > file_size - sizeof(header_size)) {
@@ -196,6 +210,7 @@ TensorFileReader::Impl::Impl(const std::filesystem::path& file) : path(file), in
   }
   std::string text(header_size, '\0');
   if (!in.read(text.data(), static_cast<std::streamsize>(text.size()))) fail(path, "ends too early (truncated)");
+  if (nests_too_deeply(text)) fail(path, "header is not valid: it is nested too deeply");
   try {
     const Json header = Json::parse(text);
     if (!header.is_object()) fail(path, "header is not a JSON object");

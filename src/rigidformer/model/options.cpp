@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/options.hpp"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
+
+#include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kMaxWeights = 1e9;  // 4 GB; the paper's model has 175 million
 
 const std::map<std::string, PositionEncoding>& encoding_names() {
   static const std::map<std::string, PositionEncoding> names = {
@@ -65,6 +71,22 @@ void check(bool condition, const std::string& field, double value, const std::st
   if (!condition) {
     throw std::invalid_argument("model option '" + field + "' is " + std::to_string(value) + ", must be " + bound);
   }
+}
+
+/// The number of weights without the smallest layers. A file's options decide how much memory a model takes before its
+/// weights are looked at.
+double approximate_weights(const ModelOptions& o) {
+  const double D = o.embedding_dim, scales = static_cast<double>(o.scales.size());
+  double count = o.encoder_widths.front();
+  for (std::size_t i = 1; i < o.encoder_widths.size(); ++i) {
+    count += static_cast<double>(o.encoder_widths[i - 1]) * o.encoder_widths[i];
+  }
+  const double width = o.encoder_widths.back();
+  count += 8.0 * width * o.encoder_level_hidden + (4.0 * width + D) * o.encoder_fuse_hidden;
+  const double block = 5.0 * D * o.num_heads * o.head_dim + 3.0 * o.ffn_expansion * D * D;
+  count += block * (o.num_layers + scales * o.predictor_layers_per_scale);
+  count += 4.0 * D * o.film_hidden * o.num_layers + scales * D * D + D * (o.num_registers + o.control_dim);
+  return count + (width + o.avp_dim) * o.avp_hidden + D * o.head_hidden;
 }
 
 ModelOptions paper_preset() {
@@ -137,14 +159,22 @@ ModelOptions base_preset() {
   return o;
 }
 
+bool has_fraction(const Json& value) {
+  if (!value.is_array()) return value.is_number_float();
+  return std::any_of(value.begin(), value.end(), [](const Json& element) { return element.is_number_float(); });
+}
+
 /// Strict: neither 64.5 nor true passes for an integer.
 template <typename T>
 void read_option(const Json& json, const std::string& name, T& field) {
   const Json& value = json.at(name);
+  constexpr bool kWhole = std::is_same_v<T, int> || std::is_same_v<T, std::vector<int>>;
   bool fits = false;
   try {
-    field = value.get<T>();
-    fits = Json(field) == value;
+    if (!kWhole || !has_fraction(value)) {  // converting 1e300 would be undefined
+      field = value.get<T>();
+      fits = Json(field) == value;
+    }
   } catch (const nlohmann::json::exception&) {
   }
   if (!fits) throw std::invalid_argument("model option '" + name + "' has the wrong type: " + value.dump());
@@ -200,6 +230,7 @@ void validate(const ModelOptions& o) {
   check(o.predictor_layers_per_scale > 0, "predictor_layers_per_scale", o.predictor_layers_per_scale, "> 0");
   check(o.head_hidden > 0, "head_hidden", o.head_hidden, "> 0");
   check(o.contact_gate_margin_m >= 0.0, "contact_gate_margin_m", o.contact_gate_margin_m, ">= 0");
+  check(approximate_weights(o) <= kMaxWeights, "number of weights", approximate_weights(o), "at most 1e9");
 }
 
 std::string to_json(const ModelOptions& options) {
@@ -210,6 +241,7 @@ std::string to_json(const ModelOptions& options) {
 }
 
 ModelOptions model_options_from_json(const std::string& text) {
+  if (nests_too_deeply(text)) throw std::invalid_argument("model options are not readable: nested too deeply");
   ModelOptions options;
   try {
     const Json json = Json::parse(text);

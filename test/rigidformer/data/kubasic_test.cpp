@@ -70,6 +70,7 @@ TEST(Kubasic, BrokenGeometryIsAClearError) {
   EXPECT_NE(error_for_obj("").find("no vertices"), std::string::npos);
   EXPECT_NE(error_for_obj(corners).find("closed mesh"), std::string::npos);
   EXPECT_NE(error_for_obj(corners + "f 1 2 9\n").find("face index 9"), std::string::npos);
+  EXPECT_NE(error_for_obj(corners + "f 1 2 -2147483648\n").find("face index -2147483648"), std::string::npos);
   EXPECT_NE(error_for_obj("v 0 zero 0\n").find("broken vertex"), std::string::npos);
   EXPECT_NE(error_for_obj(corners + "v 1 1 1\n" + faces).find("not convex"), std::string::npos);
 }

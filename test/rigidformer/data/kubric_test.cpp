@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "example_archive.hpp"
+#include "rigidformer/io/full_disk.hpp"
 
 namespace rigidformer {
 namespace {
@@ -82,6 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Defect{"/metadata/num_frames", "3", "instances[0].positions has 2 entries"},
                       Defect{"/metadata/num_frames", "-1", "metadata.num_frames"},
                       Defect{"/metadata/frame_rate", "\"fast\"", "metadata.frame_rate is not a number"},
+                      Defect{"/metadata/seed", "-1e300", "metadata.seed is not an integer"},
                       Defect{"/metadata/gravity", "[0, -10]", "metadata.gravity"},
                       Defect{"/instances", "{}", "instances is not a list"},
                       Defect{"/instances/0/asset_id", nullptr, "instances[0].asset_id is missing"},
@@ -96,6 +98,22 @@ TEST(Kubric, MissingAndTruncatedFilesAreErrors) {
   EXPECT_NE(error_of([&] { read_kubric_scene(folder.path() / "none"); }).find("cannot read"), std::string::npos);
   write_text(folder.path() / "metadata.json", std::string(kScene).substr(0, 90));
   EXPECT_NE(error_of([&] { read_kubric_scene(folder.path()); }).find("not valid JSON"), std::string::npos);
+}
+
+TEST(Kubric, AnEndlessFileIsRefusedWithoutReadingIt) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "metadata.json", kScene);
+  std::filesystem::resize_file(folder.path() / "metadata.json", std::uintmax_t{1} << 32);
+  EXPECT_NE(error_of([&] { read_kubric_scene(folder.path()); }).find("accepted are at most"), std::string::npos);
+}
+
+TEST(Kubric, AFullDiskIsAClearErrorAndKeepsTheOldScene) {
+  const TemporaryFolder folder;
+  write_kubric_scene(folder.path(), example_archive(1).scenes[0]);
+  const std::string message = on_a_full_disk([&] { write_kubric_scene(folder.path(), example_archive(50).scenes[1]); });
+  EXPECT_NE(message.find("metadata.json': cannot write"), std::string::npos) << message;
+  EXPECT_EQ(read_kubric_scene(folder.path()).num_frames, 1);
+  EXPECT_EQ(count_files(folder.path()), 1);
 }
 
 }  // namespace

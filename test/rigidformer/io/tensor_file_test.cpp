@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "rigidformer/data/example_archive.hpp"
+#include "rigidformer/io/full_disk.hpp"
 #include "rigidformer/io/sha256.hpp"
 
 namespace rigidformer {
@@ -109,12 +110,7 @@ TEST_F(TensorFileTest, WritingLeavesNoTemporaryFileAndReplacesWhole) {
   write_text(path_, "old content");
   write_tensor_file(path_, example_file());
   EXPECT_EQ(read_tensor_file(path_).tensors.size(), example_file().tensors.size());
-  int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-    EXPECT_EQ(entry.path(), path_);
-    ++files;
-  }
-  EXPECT_EQ(files, 1);
+  EXPECT_EQ(count_files(folder_.path()), 1);
 }
 
 TEST_F(TensorFileTest, FailedWritingKeepsTheOldFile) {
@@ -175,6 +171,30 @@ TEST_F(TensorFileTest, OversizedHeaderIsRefusedWithoutReadingIt) {
   }
 }
 
+TEST_F(TensorFileTest, EndlessNestingIsRefusedBeforeItExhaustsTheStack) {
+  std::string nested = R"({"__metadata__": {"sha256": ""}, "weight": )";
+  nested.append(1u << 20, '[');
+  nested.append(1u << 20, ']');
+  expect_defect(assemble(nested + "}", {}), "nested too deeply");
+}
+
+TEST_F(TensorFileTest, AFileOfImpossibleSizeIsRefusedWithoutReadingIt) {
+  write_tensor_file(path_, example_file());
+  std::filesystem::resize_file(path_, std::uintmax_t{5} << 30);  // sparse: takes no room on the disk
+  EXPECT_NE(file_error_of(path_, [&] { read_tensor_file(path_); }).find("accepted are at most"), std::string::npos);
+}
+
+TEST_F(TensorFileTest, AFullDiskIsAClearErrorAndKeepsTheOldFile) {
+  write_tensor_file(path_, example_file());
+  const Bytes before = read_bytes(path_);
+  TensorFile large = example_file();
+  large.tensors["z.large"] = make_raw_tensor<float>(TensorType::kFloat32, {4096}, std::vector<float>(4096));
+  const std::string message = on_a_full_disk([&] { write_tensor_file(path_, large); });
+  EXPECT_NE(message.find("cannot write"), std::string::npos) << message;
+  EXPECT_EQ(read_bytes(path_), before);
+  EXPECT_EQ(count_files(folder_.path()), 1);
+}
+
 TEST_F(TensorFileTest, MalformedEntriesAreRefusedByName) {
   const auto with_entry = [](const std::string& entry) {
     return assemble(R"({"__metadata__": {"sha256": ""}, "weight": )" + entry + "}", Bytes(16));
@@ -188,6 +208,9 @@ TEST_F(TensorFileTest, MalformedEntriesAreRefusedByName) {
   expect_defect(with_entry(R"({"dtype": "Q4", "shape": [4], "data_offsets": [0, 16]})"), "Q4");
   expect_defect(with_entry(R"({"dtype": "F32", "shape": "4", "data_offsets": [0, 16]})"), "header");
   expect_defect(with_entry(R"({"dtype": "F32", "data_offsets": [0, 16]})"), "header");
+  expect_defect(with_entry(R"({"dtype": "F32", "shape": [1e300], "data_offsets": [0, 16]})"), "integers");
+  expect_defect(with_entry(R"({"dtype": "F32", "shape": [4], "data_offsets": [0.5, 16]})"), "integers");
+  expect_defect(with_entry(R"({"dtype": "F32", "shape": [4], "data_offsets": [-16, 0]})"), "weight");
   expect_defect(with_entry("7"), "header");
   expect_defect(with_entry(R"({"dtype": "F32", "shape": [3], "data_offsets": [4, 16]})"), "gap");
   expect_defect(with_entry(R"({"dtype": "F32", "shape": [3], "data_offsets": [0, 12]})"), "no tensor");

@@ -139,13 +139,18 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
   Json json = good;
   json["colour"] = 3;
   EXPECT_NE(refusal(json).find("colour"), std::string::npos);
-  const std::vector<std::pair<std::string, Json>> ill_typed = {
-      {"embedding_dim", "64"}, {"embedding_dim", 64.5},
-      {"embedding_dim", true}, {"embedding_dim", std::int64_t{1} << 50},
-      {"num_heads", nullptr},  {"scales", 3},
-      {"scales", {0, 1.5}},    {"gated_attention", 1},
-      {"dropout", "0.1"},      {"preset", 7},
-      {"position_encoding", 1}};
+  const std::vector<std::pair<std::string, Json>> ill_typed = {{"embedding_dim", "64"},
+                                                               {"embedding_dim", 64.5},
+                                                               {"embedding_dim", 1e300},
+                                                               {"embedding_dim", true},
+                                                               {"embedding_dim", std::int64_t{1} << 50},
+                                                               {"num_heads", nullptr},
+                                                               {"scales", 3},
+                                                               {"scales", {0, 1.5}},
+                                                               {"gated_attention", 1},
+                                                               {"dropout", "0.1"},
+                                                               {"preset", 7},
+                                                               {"position_encoding", 1}};
   for (const auto& [key, value] : ill_typed) {
     json = good;
     json[key] = value;
@@ -165,6 +170,8 @@ TEST(ModelOptionsTest, ValuesOutOfRangeAreRefusedByName) {
        }},
       {"encoder_level_hidden", [](ModelOptions& o) { o.encoder_level_hidden = -1; }},
       {"encoder_fuse_hidden", [](ModelOptions& o) { o.encoder_fuse_hidden = 0; }},
+      {"number of weights", [](ModelOptions& o) { o.embedding_dim = 1 << 20; }},
+      {"number of weights", [](ModelOptions& o) { o.num_layers = 1 << 30; }},
       {"embedding_dim", [](ModelOptions& o) { o.embedding_dim = 0; }},
       {"num_heads", [](ModelOptions& o) { o.num_heads = -1; }},
       {"head_dim", [](ModelOptions& o) { o.head_dim = 33; }},

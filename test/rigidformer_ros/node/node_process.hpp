@@ -4,11 +4,18 @@
 
 #include <ros/network.h>
 #include <ros/ros.h>
+#include <unistd.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace rigidformer_ros::testing {
 
@@ -71,5 +78,38 @@ inline std::set<std::string> topics_of(const std::string& node, Role role) {
 }
 
 inline std::set<std::string> topics_published_by(const std::string& node) { return topics_of(node, Role::kPublisher); }
+
+/// Resident memory of a process [bytes].
+inline double resident_bytes(int process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/statm");
+  double total_pages = 0.0;
+  double resident_pages = 0.0;
+  if (!(in >> total_pages >> resident_pages)) {
+    throw std::runtime_error("process " + std::to_string(process) + " is gone");
+  }
+  return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Internet sockets of a process in the state `state` of /proc/net: "0A" = TCP that listens, "07" = UDP that is bound.
+inline int count_sockets(int process, const std::string& protocol, const std::string& state) {
+  const std::string folder = "/proc/" + std::to_string(process);
+  std::set<std::string> inodes;
+  for (const char* version : {"", "6"}) {
+    std::ifstream in(folder + "/net/" + protocol + version);
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream words(line);
+      const std::vector<std::string> row{std::istream_iterator<std::string>(words), {}};
+      if (row.size() > 9 && row[3] == state) {
+        inodes.insert("socket:[" + row[9] + "]");
+      }
+    }
+  }
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder + "/fd")) {
+    std::error_code closed_meanwhile;
+    count += static_cast<int>(inodes.count(std::filesystem::read_symlink(entry, closed_meanwhile).string()));
+  }
+  return count;
+}
 
 }  // namespace rigidformer_ros::testing

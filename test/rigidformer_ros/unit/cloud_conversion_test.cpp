@@ -36,7 +36,7 @@ TEST(CloudConversion, RoundTripIsExact) {
   EXPECT_EQ(read_points(to_cloud(three_points()), kMaxPoints), three_points());
 }
 
-TEST(CloudConversion, ReadsDoublesOtherFieldsAndPaddedRows) {
+TEST(CloudConversion, P04_ReadsDoublesOtherFieldsAndPaddedRows) {
   PointCloud2 cloud;
   cloud.width = 1;
   cloud.height = 2;
@@ -61,7 +61,7 @@ TEST(CloudConversion, ReadsDoublesOtherFieldsAndPaddedRows) {
   EXPECT_EQ(read_points(cloud, kMaxPoints), expected);
 }
 
-TEST(CloudConversion, UnusableCoordinatesBecomeNanWhateverIsDenseSays) {
+TEST(CloudConversion, P01_UnusableCoordinatesBecomeNanWhateverIsDenseSays) {
   Points points = three_points();
   points(0, 1) = std::numeric_limits<float>::quiet_NaN();
   points(1, 2) = -std::numeric_limits<float>::infinity();
@@ -72,14 +72,17 @@ TEST(CloudConversion, UnusableCoordinatesBecomeNanWhateverIsDenseSays) {
   EXPECT_TRUE(read_points(to_cloud(points), kMaxPoints).array().isNaN().all());
 }
 
-TEST(CloudConversion, AcceptsEmptyCloudsAndPackedDataWithoutRowStep) {
+TEST(CloudConversion, P03_AcceptsEmptyCloudsAndPackedDataWithoutRowStep) {
   EXPECT_EQ(read_points(PointCloud2(), kMaxPoints).rows(), 0);
+  PointCloud2 empty_rows;
+  empty_rows.height = 0xffffffff;
+  EXPECT_EQ(read_points(empty_rows, kMaxPoints).rows(), 0);
   PointCloud2 cloud = to_cloud(three_points());
   cloud.row_step = 0;
   EXPECT_EQ(read_points(cloud, kMaxPoints), three_points());
 }
 
-TEST(CloudConversion, MalformedMessagesNameTheField) {
+TEST(CloudConversion, P03_MalformedMessagesNameTheField) {
   const std::pair<const char*, std::function<void(PointCloud2&)>> cases[] = {
       {"row_step", [](PointCloud2& c) { c.row_step = 12; }},
       {"row_step", [](PointCloud2& c) { c.row_step = 0, c.data.pop_back(); }},

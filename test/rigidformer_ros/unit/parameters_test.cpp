@@ -10,45 +10,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "rigidformer_ros/yaml_tree.hpp"
+
 namespace rigidformer_ros {
 namespace {
 
-using XmlRpc::XmlRpcValue;
-
-XmlRpcValue scalar(const YAML::Node& node) {
-  int integer = 0;
-  double number = 0.0;
-  bool flag = false;
-  const bool quoted = node.Tag() == "!";
-  if (!quoted && YAML::convert<int>::decode(node, integer)) {
-    return XmlRpcValue(integer);
-  }
-  if (!quoted && YAML::convert<double>::decode(node, number)) {
-    return XmlRpcValue(number);
-  }
-  if (!quoted && YAML::convert<bool>::decode(node, flag)) {
-    return XmlRpcValue(flag);
-  }
-  return XmlRpcValue(node.Scalar());
-}
-
-// What the parameter server makes of a YAML file.
-XmlRpcValue to_tree(const YAML::Node& node) {
-  XmlRpcValue value;
-  if (node.IsMap()) {
-    for (const auto& member : node) {
-      value[member.first.as<std::string>()] = to_tree(member.second);
-    }
-  } else if (node.IsSequence()) {
-    value.setSize(0);
-    for (std::size_t i = 0; i < node.size(); ++i) {
-      value[static_cast<int>(i)] = to_tree(node[i]);
-    }
-  } else {
-    value = scalar(node);
-  }
-  return value;
-}
+using testing::to_tree;
 
 NodeParameters read_yaml(const std::string& text) { return read_parameters(to_tree(YAML::Load(text))); }
 
@@ -173,6 +140,7 @@ TEST(Parameters, TheYamlFileListsEveryParameterWithItsDefault) {
 
 TEST(Parameters, AnEmptyTreeGivesTheDefaults) {
   EXPECT_EQ(read_parameters({}).predict.num_steps, NodeParameters().predict.num_steps);
+  EXPECT_TRUE(read_yaml("{input: {objects: []}, properties: {objects: []}}").input.objects.empty());
 }
 
 TEST(Parameters, ReadsValues) {
@@ -203,7 +171,7 @@ TEST(Parameters, ReadsWhatLabelsMean) {
   EXPECT_EQ(p.input.label_names[0].properties.friction, 0.4);
 }
 
-TEST(Parameters, ErrorsNameTheParameterAndWhatIsAccepted) {
+TEST(Parameters, P31_ErrorsNameTheParameterAndWhatIsAccepted) {
   const std::pair<const char*, std::pair<const char*, const char*>> cases[] = {
       {"{predict: {num_steps: '10'}}", {"predict/num_steps", "an integer in [1, 10000]"}},
       {"{predict: {num_steps: 2.5}}", {"predict/num_steps", "an integer"}},

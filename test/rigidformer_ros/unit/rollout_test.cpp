@@ -65,6 +65,30 @@ class FaultyPredictor : public BallisticPredictor {
   }
 };
 
+// Stops the worker that runs it at its third call.
+class StoppingPredictor : public BallisticPredictor {
+ public:
+  explicit StoppingPredictor(const std::unique_ptr<InferenceWorker>& worker) : worker_(worker) {}
+  rigidformer::Forecast predict(const std::vector<ObjectState>& objects,
+                                const rigidformer::RolloutOptions& rollout) override {
+    if (++calls_ == 3) {
+      worker_->stop();
+    }
+    EXPECT_LE(calls_, 3);
+    return BallisticPredictor::predict(objects, rollout);
+  }
+
+ private:
+  const std::unique_ptr<InferenceWorker>& worker_;
+  int calls_ = 0;
+};
+
+TEST(Rollout, StoppingTheWorkerEndsARolloutAfterItsCurrentJob) {
+  std::unique_ptr<InferenceWorker> worker;
+  worker = ready_worker([&] { return std::make_unique<StoppingPredictor>(worker); });
+  EXPECT_THROW(roll_out(*worker, {flying("a", Flight())}, settings(1000)), std::exception);
+}
+
 TEST(Rollout, FollowsTheParabolaAcrossJobs) {
   const auto worker = ready_worker([] { return std::make_unique<BallisticPredictor>(); });
   const Flight flight;

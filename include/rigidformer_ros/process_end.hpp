@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace rigidformer_ros {
+
+/// Ends the process when tidying up takes longer than 1.5 s of wall time after start(): the loading of a model and a
+/// job of the network cannot be interrupted. Nothing on disk is half-written then, as the node writes no files.
+class ShutdownLimit {
+ public:
+  ShutdownLimit() = default;
+  /// Nothing is left to be ended.
+  ~ShutdownLimit();
+  ShutdownLimit(const ShutdownLimit&) = delete;
+  ShutdownLimit& operator=(const ShutdownLimit&) = delete;
+
+  void start(int exit_code);
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable tidied_up_;
+  bool done_ = false;
+  std::thread thread_;
+};
+
+/// Waits until ROS begins to shut down: exit code 0. When a restarted master does not know this node, whose parameters
+/// and registrations went with the old one, says so, asks for a shutdown and returns 1. A master that is away is waited
+/// for.
+int wait_for_end();
+
+}  // namespace rigidformer_ros
