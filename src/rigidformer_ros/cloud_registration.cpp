@@ -16,12 +16,12 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 constexpr double kNoiseBound = 3.0;       // standard deviations of a point on the surface
 constexpr double kSurfaceError = 0.02;    // [size] of the reference, on top: rounded edges, bends between its points
 constexpr double kOverlap = 1.5;          // [voxel] along the surface from its nearest point: beyond the known surface
-constexpr double kPointWeight = 0.05;     // of a distance from a point without a normal, against one from a plane
+constexpr double kPointWeight = 0.02;     // of a distance from a point without a normal, against one from a plane
 constexpr double kNarrowing = 0.7;        // of the kernel, per iteration
 constexpr double kConverged = 1e-4;       // [size] of a step
 constexpr double kPrior = 0.003;          // pull of the start, relative to the cloud's mean pull on a translation
 constexpr double kSticksOut = 0.6;        // [voxel] along the surface: beyond its border, not between two of its points
-constexpr double kBorderWeight = 0.2;     // of that distance, against one from a plane
+constexpr double kBorderWeight = 0.1;     // of that distance, against one from a plane
 constexpr double kClearlyBetter = 0.8;    // misfit of the shifted start against the predicted one
 constexpr double kRandomResiduals = 0.6;  // [inlier distance] RMSE of points that lie anywhere within it
 

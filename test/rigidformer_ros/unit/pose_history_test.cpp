@@ -68,6 +68,24 @@ TEST(PoseHistory, ReachesBeforeTheStartOfTime) {
   expect_pose(history.pose_before(ros::Time(0.04), 0.055), flight.pose(-0.025));
 }
 
+TEST(PoseHistory, PredictsAConstantTwist) {
+  Flight flight;
+  flight.gravity = 0.0;
+  EXPECT_EQ(record(flight, {0.0}).predict(ros::Time(103.0)).translation, flight.start) << "no velocity is known";
+  const PoseHistory history = record(flight, {0.0, 0.033, 0.071, 0.1});
+  for (const double t : {0.1, 0.133, 0.4}) {
+    expect_pose(history.predict(ros::Time(100.0 + t)), flight.pose(t));
+  }
+}
+
+TEST(PoseHistory, PredictsFromTheNewestFrames) {
+  const Flight flight;
+  const PoseHistory history = record(flight, {0.0, 0.04, 0.08, 0.12});
+  const Eigen::Vector3d step = flight.pose(0.12).translation - flight.pose(0.08).translation;
+  const Eigen::Vector3d expected = flight.pose(0.12).translation + step;
+  EXPECT_LT((history.predict(ros::Time(100.16)).translation - expected).norm(), 1e-8);
+}
+
 TEST(PoseHistory, CloseAndRepeatedStampsReplace) {
   const Flight flight;
   const PoseHistory history = record(flight, {0.0, 0.03, 0.03, 0.030000001, 0.034});
