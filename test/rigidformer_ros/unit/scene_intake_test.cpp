@@ -131,8 +131,8 @@ TEST_F(SceneIntakeTest, TooSmallOrTooLargePartsLoseOnlyThemselves) {
   intake().take_labelled("/cloud", cloud);
   EXPECT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects().count("obj_1"), 1U);
-  EXPECT_EQ(rejections.total("malformed cloud"), 1U);
-  EXPECT_EQ(rejections.total("too few points"), 1U);
+  EXPECT_EQ(rejections.counts()["malformed cloud"].total, 1U);
+  EXPECT_EQ(rejections.counts()["too few points"].total, 1U);
   EXPECT_NE(report().find("'obj_8': has 30 points"), std::string::npos);
 }
 
@@ -145,7 +145,7 @@ TEST_F(SceneIntakeTest, P05_MissingFrameIsCountedAndNamed) {
   message.header.frame_id = "nowhere";
   intake().take_scene("/object_clouds", message);
   EXPECT_TRUE(objects().empty());
-  EXPECT_EQ(rejections.total("no transform"), 2U);
+  EXPECT_EQ(rejections.counts()["no transform"].total, 2U);
   EXPECT_NE(report().find("'nowhere' to 'world'"), std::string::npos);
 }
 
@@ -157,7 +157,7 @@ TEST_F(SceneIntakeTest, P06_ImpossibleStampIsCountedOncePerMessage) {
   message.header.stamp = kNow + ros::Duration(60.0);
   intake().take_scene("/object_clouds", message);
   EXPECT_TRUE(objects().empty());
-  EXPECT_EQ(rejections.total("bad stamp"), 2U);
+  EXPECT_EQ(rejections.counts()["bad stamp"].total, 2U);
 }
 
 TEST_F(SceneIntakeTest, SceneMessageGivesModesPosesAndMaterial) {
@@ -204,7 +204,7 @@ TEST_F(SceneIntakeTest, P03_OneBadObjectDoesNotHinderTheOthers) {
     const auto seen = objects();
     EXPECT_EQ(seen.size(), 2U) << "damage " << i;
     EXPECT_TRUE(seen.count("a") == 1 && seen.count("c") == 1) << "damage " << i;
-    EXPECT_EQ(rejections.total("malformed cloud"), i + 1) << "damage " << i;
+    EXPECT_EQ(rejections.counts()["malformed cloud"].total, i + 1) << "damage " << i;
   }
 }
 
@@ -218,7 +218,7 @@ TEST_F(SceneIntakeTest, P03_ArraysThatDoNotBelongTogetherRefuseTheMessage) {
     damages[i](message);
     intake().take_scene("/object_clouds", message);
     EXPECT_TRUE(objects().empty()) << "damage " << i;
-    EXPECT_EQ(rejections.total("malformed cloud"), i + 1) << "damage " << i;
+    EXPECT_EQ(rejections.counts()["malformed cloud"].total, i + 1) << "damage " << i;
   }
 }
 
@@ -249,7 +249,7 @@ TEST_F(SceneIntakeTest, P05_MissingPosesAreNamedAndShareOneWait) {
   parameters.tf_timeout = 0.05;
   intake().take_scene("/object_clouds", scene_message({"a", "b", "c", "d"}));
   EXPECT_TRUE(objects().empty());
-  EXPECT_EQ(rejections.total("no pose"), 4U);
+  EXPECT_EQ(rejections.counts()["no pose"].total, 4U);
   EXPECT_NE(report().find("'track_d' to 'world'"), std::string::npos);
   ASSERT_EQ(waits_s.size(), 4U);
   for (std::size_t i = 1; i < waits_s.size(); ++i) {
