@@ -16,7 +16,7 @@ def describe(conditions):
         words.append(f"{conditions['masked_fraction']:.0%} of them dropped")
     if conditions["noise_m"]:
         words.append(f"noise {1000 * conditions['noise_m']:g} mm")
-    if conditions["resting_only"]:
+    if conditions.get("resting_only"):
         words.append("only objects that lie still")
     words.append(f"properties {conditions['properties']}")
     return ", ".join(words)
@@ -25,7 +25,7 @@ def describe(conditions):
 def print_table(step, results, conditions):
     """One row per set, start and model; one column per horizon."""
     cells, scenes = {}, 0
-    digits = 4 if conditions["resting_only"] else 3
+    digits = 4 if conditions.get("resting_only") else 3
     for row in results:
         if row["step"] == step:
             text = f"{row['position_rmse_m']:.{digits}f} / {row['orientation_rmse_deg']:.{digits - 2}f}"
