@@ -24,15 +24,16 @@ def describe(conditions):
 
 def print_table(step, results, conditions):
     """One row per set, start and model; one column per horizon."""
-    cells, scenes = {}, 0
+    cells, scenes = {}, set()
     digits = 4 if conditions.get("resting_only") else 3
     for row in results:
         if row["step"] == step:
             text = f"{row['position_rmse_m']:.{digits}f} / {row['orientation_rmse_deg']:.{digits - 2}f}"
             cells.setdefault((row["set"], row["start"], row["model"]), {})[row["horizon"]] = text
-            scenes = row["scenes"]
+            scenes.add(row["scenes"])
+    count = " to ".join(str(n) for n in sorted({min(scenes), max(scenes)}))
     horizons = sorted({horizon for row in cells.values() for horizon in row})
-    print(f"\ns = {step}, {scenes} scenes per set, {describe(conditions)}\n")
+    print(f"\ns = {step}, {count} scenes per set, {describe(conditions)}\n")
     print("| set | start | model | " + " | ".join(str(h) for h in horizons) + " |")
     print("|---|---|---|" + "---|" * len(horizons))
     for (name, start, model), row in cells.items():
