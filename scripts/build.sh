@@ -26,7 +26,8 @@ done
 memory_kb=$(awk '/MemAvailable/ {print $2}' /proc/meminfo)
 jobs=$((memory_kb / 1500000))
 jobs=$((jobs < 1 ? 1 : jobs))
-jobs=$((jobs < $(nproc) ? jobs : $(nproc)))
+cores=$(env -u OMP_NUM_THREADS nproc)  # nproc would answer with the threads of the tests
+jobs=$((jobs < cores ? jobs : cores))
 
 # Another Python in front of Debian's cannot import catkin's modules.
 export PATH=/usr/bin:/bin:$PATH
