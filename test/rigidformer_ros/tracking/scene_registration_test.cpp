@@ -41,7 +41,7 @@ TEST(SceneRegistration, P12_a_request_may_hold_other_points_than_the_scene_befor
   EXPECT_FALSE(observed.objects[0].low_quality);
   const rigidformer::ObjectState& state = observed.objects[0].state;
   const testing::PoseError error =
-      pose_error(state.T_world_current, state.T_world_previous, tumble.pose(kFrame), tumble.pose(0.0));
+      testing::pose_error(state.T_world_current, state.T_world_previous, tumble.pose(kFrame), tumble.pose(0.0));
   EXPECT_LT(error.position_m, 0.01);
   EXPECT_LT(error.rotation_rad, 2.0 * M_PI / 180.0);
 }
