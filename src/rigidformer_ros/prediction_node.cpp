@@ -122,9 +122,11 @@ std::unique_ptr<PredictionNode> make_prediction_node(const ros::NodeHandle& node
 }
 
 int run_prediction_node(const ModelLoader& make_predictor) {
+  // Beyond the try block: the end of the last handle shuts ROS down, and with it what would print the message below.
+  const ros::NodeHandle public_handle, private_handle("~");
   try {
     ShutdownLimit limit;
-    const auto node = make_prediction_node(ros::NodeHandle(), ros::NodeHandle("~"), make_predictor);
+    const auto node = make_prediction_node(public_handle, private_handle, make_predictor);
     const int exit_code = wait_for_end();
     limit.start(exit_code);
     node->stop();
