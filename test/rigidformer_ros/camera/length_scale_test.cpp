@@ -164,9 +164,11 @@ TEST_F(LengthScale, ASimulatedTabletopIsPredictedAsWellAsTheSceneAtMetreSize) {
   std::cout << "error in object sizes, mean and median: metre " << large.mean() << " " << large.quantile(0.5)
             << ", tabletop " << small.mean() << " " << small.quantile(0.5) << ", tabletop without length scale "
             << unscaled.mean() << " " << unscaled.quantile(0.5) << " (" << large.values.size() << " forecasts)\n";
-  EXPECT_LT(small.mean(), 1.25 * large.mean());
-  EXPECT_GT(small.mean(), large.mean() / 1.25);
-  EXPECT_GT(unscaled.mean(), 1.5 * small.mean()) << "the scale is what does it";
+  // Medians: the two simulations round differently, and a few collisions amplify that to most of the mean.
+  const double ratio = small.quantile(0.5) / large.quantile(0.5);
+  EXPECT_LT(ratio, 1.25);
+  EXPECT_GT(ratio, 1.0 / 1.25);
+  EXPECT_GT(unscaled.quantile(0.5), 1.5 * small.quantile(0.5)) << "the scale is what does it";
 }
 
 }  // namespace
