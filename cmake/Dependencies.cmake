@@ -60,9 +60,9 @@ else()
                  "libqhull-dev and libbullet-extras-dev).")
 endif()
 
-# For the example that segments the clouds of a bare depth camera.
+# For the example that segments the clouds of a bare depth camera, and for the benchmark of the registration.
 if(RIGIDFORMER_ROS)
-  find_package(PCL QUIET COMPONENTS common kdtree search sample_consensus segmentation)
+  find_package(PCL QUIET COMPONENTS common kdtree registration search sample_consensus segmentation)
   if(NOT PCL_FOUND)
     message(STATUS "${PROJECT_NAME}: PCL not found. The example `segment_cloud` is NOT built (install libpcl-dev).")
   endif()
