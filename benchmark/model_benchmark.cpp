@@ -7,6 +7,7 @@
 
 #include "paper_scene.hpp"
 #include "ratio_reporter.hpp"
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/features.hpp"
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/model/rigidformer.hpp"
@@ -20,6 +21,8 @@ struct Fixture {
   SceneBatch batch;
   SceneState state;
   Tensor centre, points_world, anchors_world, features;
+  Tensor engine_at_points;  ///< What the engine says, [B, K, N, 0 or 6]
+  EngineStep engine;
   TokenPositions positions;
   Encoding encoding;
   std::vector<Tensor> decoder_outputs;
@@ -39,10 +42,17 @@ struct Fixture {
     const Nearest nearest = nearest_by_distance_matrix(batch, state.current, points_world);
     const BaseMotion base = make_base_motion(model->options, batch, state, centre);
     features = vertex_features(model->options, batch, state, base, points_world, nearest).to(type);
+    engine = make_engine_step(model->options, batch, centre);
+    engine_at_points = features.slice(-1, 0, 0);
+    if (engine) {
+      engine_at_points = engine_features(batch, state, base, engine(state), batch.points_reference).to(type);
+    }
     positions = model->position_encoder(batch, state.current, points_world, anchors_world);
-    encoding = model->encoder(features, batch.point_mask);
+    encoding = encode();
     decoder_outputs = object_interaction();
   }
+
+  Encoding encode() { return model->encoder(torch::cat({features, engine_at_points}, -1), batch.point_mask); }
 
   TokenSet objects() const { return {encoding.tokens, batch.object_mask, positions.object_angles}; }
 
@@ -56,7 +66,8 @@ struct Fixture {
         model->anchor_vertex_pooling(encoding.vertex_features, points_world, batch.point_mask, anchors_world);
     const Tensor own = gather_points(features, batch.anchor_index);
     const Tensor position = anchors_world.to(model->compute_type);
-    return model->predictor(torch::cat({own, position, pooled}, -1), decoder_outputs, objects(),
+    const Tensor engine_at_anchors = gather_points(engine_at_points, batch.anchor_index);
+    return model->predictor(torch::cat({own, position, pooled, engine_at_anchors}, -1), decoder_outputs, objects(),
                             positions.anchor_angles, positions.anchor_embedding);
   }
 };
@@ -84,13 +95,17 @@ void register_part(const std::string& name, const std::string& preset, torch::Sc
 const bool kRegistered = [] {
   for (const std::string preset : {"paper", "small"}) {
     for (const auto type : {torch::kFloat32, torch::kBFloat16}) {
-      register_part("encoder", preset, type, [](Fixture& f) { f.model->encoder(f.features, f.batch.point_mask); });
+      register_part("encoder", preset, type, [](Fixture& f) { f.encode(); });
       register_part("object_interaction", preset, type, [](Fixture& f) { f.object_interaction(); });
       register_part("anchor_interaction", preset, type, [](Fixture& f) { f.anchor_interaction(); });
     }
+    if (model_preset(preset).engine_motion) {
+      register_part("physics_engine", preset, torch::kFloat32, [](Fixture& f) { f.engine(f.state); });
+    }
     // One whole step as it is written in the paper: float32, padded points, full distance matrix.
-    register_part("step_with_distance_matrix", preset, torch::kFloat32,
-                  [](Fixture& f) { f.model->forward(f.batch, f.state, f.centre, nearest_by_distance_matrix); });
+    register_part("step_with_distance_matrix", preset, torch::kFloat32, [](Fixture& f) {
+      f.model->forward(f.batch, f.state, f.centre, nearest_by_distance_matrix, f.engine);
+    });
   }
   return true;
 }();

@@ -13,8 +13,8 @@ import xml.etree.ElementTree as ElementTree
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # From the lowest layer to the highest. `predictor` is the pair of files predictor.hpp and predictor.cpp.
-LAYERS = ['io', 'geometry', 'scene', 'model', 'predictor', 'data', 'windows', 'simulation', 'training', 'evaluation',
-          'baselines']
+LAYERS = ['io', 'geometry', 'scene', 'data', 'simulation', 'model', 'engine', 'predictor', 'windows', 'training',
+          'evaluation', 'baselines']
 
 LIBRARIES = {
     'ROS': re.compile(r'(ros|tf2?|tf2_\w+|\w+_msgs|std_srvs|message_filters|nodelet|pluginlib|dynamic_reconfigure|'
@@ -31,8 +31,8 @@ ALLOWED = {
     'Bullet': {'include': {'simulation'}, 'src': {'simulation', 'baselines'}},
     'MuJoCo': {'include': set(), 'src': {'baselines'}},
     'Qhull': {'include': set(), 'src': {'baselines'}},
-    'LibTorch': {'include': {'model', 'windows', 'training'},
-                 'src': {'model', 'windows', 'training', 'evaluation', 'predictor'}},
+    'LibTorch': {'include': {'model', 'engine', 'windows', 'training'},
+                 'src': {'model', 'engine', 'windows', 'training', 'evaluation', 'predictor'}},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/geometry/nearest_points.hpp"
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/model/device.hpp"
@@ -211,9 +212,10 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
   SceneState state{to_device(input.state.first, device), to_device(input.state.previous, device),
                    to_device(input.state.current, device)};
   const Tensor centre = model->centre_of_mass(batch, state.current);
+  const EngineStep engine = make_engine_step(model->options, batch, centre);
   const RestLimits rest{impl_->options.rest_speed, impl_->options.rest_spin};
   for (int step = 0; step < rollout.num_steps; ++step) {
-    SceneState next = advance(batch, state, model->forward(batch, state, centre, nearest).pose);
+    SceneState next = advance(batch, state, model->forward(batch, state, centre, nearest, engine));
     if (rest.speed_mps > 0.0) hold_resting(batch, state, next, rest);
     record(input, state, next, batch, forecast);
     state = next;

@@ -22,13 +22,18 @@ struct CrossAttentionLayerImpl : torch::nn::Module {
 };
 TORCH_MODULE(CrossAttentionLayer);
 
+/// Per anchor: change of motion over the step (3), what the velocity at its end has beyond that (3), and the logit of
+/// the share that the engine's step has in both (1), each as far as the options ask for it.
+int64_t num_anchor_outputs(const ModelOptions& options);
+
 /// Anchor queries to outputs (§3.2, App. G): anchor state and pooled vertex features make a query, which reads the
 /// object tokens of several decoder outputs in parallel; the reads are fused and regressed.
 struct AnchorPredictorImpl : torch::nn::Module {
   explicit AnchorPredictorImpl(const ModelOptions& options);
 
-  /// anchor_state [B, K, A, F + 3 + avp_dim], keys: decoder outputs Z^(0..L) with mask and object angles,
-  /// anchor_angles [B, K, A, rotary_dim] and anchor_embedding [B, K, A or 1, D] may be undefined. Returns [B, K, A, 3].
+  /// anchor_state [B, K, A, F + 3 + avp_dim + engine features], keys: decoder outputs Z^(0..L) with mask and object
+  /// angles, anchor_angles [B, K, A, rotary_dim] and anchor_embedding [B, K, A or 1, D] may be undefined. Returns [B,
+  /// K, A, num_anchor_outputs()].
   Tensor forward(const Tensor& anchor_state, const std::vector<Tensor>& decoder_outputs, const TokenSet& objects,
                  const Tensor& anchor_angles, const Tensor& anchor_embedding);
 

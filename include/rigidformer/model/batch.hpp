@@ -33,6 +33,8 @@ struct SceneBatch {
   Tensor points_reference;  ///< [B, K, N, 3] m
   Tensor point_mask;        ///< [B, K, N] bool, true = valid
   Tensor object_mask;       ///< [B, K] bool, true = an object is there
+  Tensor surface_points;    ///< [B, K, M, 3] m, all that was seen, for the engine; undefined = points_reference
+  Tensor surface_mask;      ///< [B, K, M] bool
   Tensor anchor_index;      ///< [B, K, A] int64, which points are the anchors
   Tensor properties;        ///< [B, K, 3] mass [kg], friction, restitution; 0 where unknown
   Tensor properties_known;  ///< [B, K, 3] 1 where known, else 0
@@ -66,6 +68,15 @@ struct Nearest {
 /// Finds the nearest points of other objects for world points [B, K, N, 3]; poses are given for searches that keep
 /// one tree per rigid object.
 using NearestSearch = std::function<Nearest(const SceneBatch&, const Pose& current, const Tensor& points_world)>;
+
+/// What a physics engine makes of the next step.
+struct EngineMotion {
+  Pose pose;       ///< At t + 1
+  Pose departure;  ///< Pose at t from which free motion arrives at `pose` with the velocity that the engine gives it
+};
+
+/// One step of a physics engine on the objects of a batch.
+using EngineStep = std::function<EngineMotion(const SceneState&)>;
 
 /// Picks rows along dimension 2: values [B, K, N, C], index [B, K, A] -> [B, K, A, C].
 Tensor gather_points(const Tensor& values, const Tensor& index);

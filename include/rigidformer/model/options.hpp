@@ -56,6 +56,8 @@ struct ModelOptions {
   bool property_mask = false;            ///< Extra inputs that say which material parameters are known
   bool own_token_in_query = false;       ///< The object's own token joins its anchor queries
   bool velocity_output = false;          ///< Head predicts a velocity change (m/s) instead of an acceleration
+  bool end_velocity_output = false;      ///< Head also predicts the velocity at the end of the step
+  bool engine_motion = false;  ///< A physics engine's step is an input, and part of the output by a learned gate
 };
 
 /// `paper`, `base`, `small` or `tiny`. Throws std::invalid_argument naming the preset.

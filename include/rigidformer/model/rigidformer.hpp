@@ -17,6 +17,7 @@ namespace rigidformer {
 struct StepPrediction {
   Tensor anchors_raw;  ///< [B, K, A, 3] candidate anchors before rigid projection
   Pose pose;           ///< Projected pose of the reference cloud at t + 1
+  Pose departure;      ///< Pose at t from which free motion arrives at `pose` with the velocity predicted there
 };
 
 /// The network of §3: two states and a step size in, the next rigid state out.
@@ -26,9 +27,9 @@ struct RigidFormerImpl : torch::nn::Module {
   /// Centre of mass of every object in its reference frame, [B, K, 3]; needed once per rollout.
   Tensor centre_of_mass(const SceneBatch& batch, const Pose& current);
 
-  /// One step. centre_reference as returned by centre_of_mass().
+  /// One step. centre_reference as returned by centre_of_mass(); `engine_step` is needed by models with engine_motion.
   StepPrediction forward(const SceneBatch& batch, const SceneState& state, const Tensor& centre_reference,
-                         const NearestSearch& nearest_search);
+                         const NearestSearch& nearest_search, const EngineStep& engine_step = {});
 
   /// Type of the activations inside encoder, decoder and predictor: torch::kFloat32 (default), kFloat64 or kBFloat16.
   /// Geometry (poses, Verlet, Kabsch) always stays in the type of the input.
@@ -44,16 +45,25 @@ struct RigidFormerImpl : torch::nn::Module {
   AnchorPredictor predictor{nullptr};
 
  private:
+  /// How the anchors [B, K, A, 3] deviate from the base motion [m].
+  struct AnchorDeviation {
+    Tensor over_step;  ///< Displacement during the step
+    Tensor beyond;     ///< What a step with the velocity at its end has beyond that; undefined without that output
+  };
+
   Tensor predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                const Tensor& points_world, const Nearest& nearest);
-  Tensor advance_anchors(const SceneBatch& batch, const BaseMotion& base, const Tensor& outputs,
-                         const Tensor& radius) const;
+                                const Tensor& points_world, const Nearest& nearest, const EngineMotion& engine);
+  AnchorDeviation deviation_of(const SceneBatch& batch, const Tensor& outputs) const;
+  void mix_with_engine(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
+                       const EngineMotion& engine, const Tensor& share, AnchorDeviation& deviation) const;
+  void close_contact_gate(const SceneBatch& batch, const BaseMotion& base, const Tensor& points_world,
+                          AnchorDeviation& deviation) const;
 };
 TORCH_MODULE(RigidFormer);
 
-/// The state after a step: current becomes previous. Objects whose motion is given (static, kinematic) keep the twist
-/// between their two states.
-SceneState advance(const SceneBatch& batch, const SceneState& state, const Pose& next);
+/// The state after a step: its two poses carry the predicted velocity, or, without that output, current becomes
+/// previous. Objects whose motion is given (static, kinematic) keep the twist between their two states.
+SceneState advance(const SceneBatch& batch, const SceneState& state, const StepPrediction& prediction);
 
 /// Total number of trainable parameters.
 int64_t count_parameters(const torch::nn::Module& module);

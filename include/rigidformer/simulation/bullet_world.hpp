@@ -47,6 +47,9 @@ class BulletWorld {
   /// std::invalid_argument naming what is missing or not positive.
   int add_body(const Shape& shape, double size, const PhysicalProperties& properties, const BodyState& state);
 
+  /// Adds a body that nothing can push and gravity does not move: it keeps its velocity. The mass is not read.
+  int add_driven_body(const Shape& shape, double size, PhysicalProperties properties, const BodyState& state);
+
   /// Removes the body added last.
   void remove_last_body();
 

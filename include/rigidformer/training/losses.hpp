@@ -12,6 +12,10 @@ namespace rigidformer {
 Tensor step_loss(const LossOptions& options, const SceneBatch& batch, const StepPrediction& prediction,
                  const Pose& truth);
 
+/// Smooth L1 of the velocity (m/s) that the anchors have after the step; `departure` as in WindowBatch.
+Tensor end_velocity_loss(const LossOptions& options, const SceneBatch& batch, const StepPrediction& prediction,
+                         const Pose& truth, const Pose& departure);
+
 /// Smooth L1 of the estimated centre of mass, in units of the bounding radius; the true one is the reference origin.
 Tensor centre_of_mass_loss(const LossOptions& options, const SceneBatch& batch, const Tensor& centre_reference);
 

@@ -21,10 +21,11 @@ struct UnrollStage {
 
 /// §3.4 and App. C.2. Field names are the YAML keys under `loss:`.
 struct LossOptions {
-  double position_weight = 10.0;       ///< lambda_pos
-  double acceleration_weight = 1.0;    ///< lambda_acc
-  std::string residual_unit = "dt2";   ///< Acceleration residuals divided by dt2 (paper) or dt (velocity change)
-  double beta = 1.0;                   ///< Where Smooth L1 turns from square to line
+  double position_weight = 10.0;      ///< lambda_pos
+  double acceleration_weight = 1.0;   ///< lambda_acc
+  double end_velocity_weight = 1.0;   ///< Smooth L1 of the velocity at the end of the step, where the model predicts it
+  std::string residual_unit = "dt2";  ///< Acceleration residuals divided by dt2 (paper) or dt (velocity change)
+  double beta = 1.0;                  ///< Where Smooth L1 turns from square to line
   double centre_of_mass_weight = 0.0;  ///< Smooth L1 of the estimated centre of mass, in bounding radii
 };
 

@@ -30,7 +30,8 @@ struct AugmentationOptions {
 /// mass is the origin of the reference frame.
 struct WindowBatch {
   SceneBatch scene;
-  std::vector<Pose> poses;  ///< 2 + num_steps poses; the first two are given
+  std::vector<Pose> poses;       ///< 2 + num_steps poses; the first two are given
+  std::vector<Pose> departures;  ///< Per step: from where free motion arrives at its end with the true velocity there
 };
 
 /// Assembles windows on the device of `tensors`. Random numbers come from torch's default generators.

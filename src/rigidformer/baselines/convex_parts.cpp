@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "rigidformer/baselines/enclosed_surface.hpp"
-#include "rigidformer/baselines/mesh_volume.hpp"
 #include "rigidformer/simulation/convex_hull.hpp"
+#include "rigidformer/simulation/mesh_volume.hpp"
 
 namespace rigidformer {
 namespace {

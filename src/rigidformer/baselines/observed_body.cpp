@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/baselines/observed_body.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
-#include "rigidformer/baselines/mesh_volume.hpp"
 #include "rigidformer/simulation/convex_hull.hpp"
+#include "rigidformer/simulation/mesh_volume.hpp"
 
 namespace rigidformer {
 namespace {
 
-constexpr float kMinThickness_m = 0.01F;
 constexpr double kTouching_m = 0.01;     // of the floor; sampled points miss the lowest corner by a little
 constexpr double kUnknownDensity = 1.0;  // [kg/m^3]
 constexpr double kUnknownFriction = 0.5;
@@ -24,22 +22,6 @@ constexpr double kSolverRate_hz = 240.0;
 
 void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument("physics engine: " + message);
-}
-
-/// Adds copies of all points on both sides wherever the cloud has no thickness, so that it spans a volume.
-Points with_thickness(Points points) {
-  const Eigen::RowVector3f mean = points.colwise().mean();
-  const Eigen::Matrix3f scatter = (points.rowwise() - mean).transpose() * (points.rowwise() - mean);
-  const Eigen::Matrix3f axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(scatter).eigenvectors();
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::VectorXf along = points * axes.col(k);
-    if (along.maxCoeff() - along.minCoeff() >= kMinThickness_m) continue;
-    const Eigen::RowVector3f half = 0.5F * kMinThickness_m * axes.col(k).transpose();
-    Points both(2 * points.rows(), 3);
-    both << points.rowwise() + half, points.rowwise() - half;
-    points = both;
-  }
-  return points;
 }
 
 double lowest_point(const std::vector<ConvexPart>& parts, const RigidTransform& T_ground_body) {

@@ -27,7 +27,7 @@ Tensor pool_level(const Tensor& f, const Tensor& point_mask, double fraction) {
 }  // namespace
 
 PointEncoderImpl::PointEncoderImpl(const ModelOptions& options) {
-  int64_t width = num_vertex_features(options);
+  int64_t width = num_vertex_features(options) + num_engine_features(options);
   for (const int64_t next : options.encoder_widths) {
     backbone->push_back(Linear(width, next));
     width = next;

@@ -73,6 +73,16 @@ int64_t num_vertex_features(const ModelOptions& options) {
   return count;
 }
 
+int64_t num_engine_features(const ModelOptions& options) { return options.engine_motion ? 6 : 0; }
+
+Tensor engine_features(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
+                       const EngineMotion& engine, const Tensor& points_reference) {
+  const Tensor unit = batch.time_step().reshape({-1, 1, 1, 1}) * kSpeedUnit;
+  const Tensor over_step = engine.pose.apply(points_reference) - base.apply(points_reference);
+  const Tensor beyond = state.current.apply(points_reference) - engine.departure.apply(points_reference);
+  return torch::cat({over_step, beyond}, -1) / unit;
+}
+
 Tensor vertex_features(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,
                        const BaseMotion& base, const Tensor& x, const Nearest& nearest) {
   const int64_t N = batch.max_points();

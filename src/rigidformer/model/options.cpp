@@ -65,6 +65,8 @@ void visit_fields(Options& o, Visitor&& visit) {
   visit("property_mask", o.property_mask);
   visit("own_token_in_query", o.own_token_in_query);
   visit("velocity_output", o.velocity_output);
+  visit("end_velocity_output", o.end_velocity_output);
+  visit("engine_motion", o.engine_motion);
 }
 
 void check(bool condition, const std::string& field, double value, const std::string& bound) {
@@ -120,6 +122,8 @@ void use_contact_aware_recipe(ModelOptions& o) {
   o.property_mask = true;
   o.own_token_in_query = true;
   o.velocity_output = true;
+  o.end_velocity_output = true;
+  o.engine_motion = true;
 }
 
 ModelOptions small_preset() {
@@ -163,6 +167,9 @@ bool has_fraction(const Json& value) {
   if (!value.is_array()) return value.is_number_float();
   return std::any_of(value.begin(), value.end(), [](const Json& element) { return element.is_number_float(); });
 }
+
+/// Options that older files do not hold; they are off there.
+bool is_newer(const std::string& name) { return name == "end_velocity_output" || name == "engine_motion"; }
 
 /// Strict: neither 64.5 nor true passes for an integer.
 template <typename T>
@@ -230,6 +237,8 @@ void validate(const ModelOptions& o) {
   check(o.predictor_layers_per_scale > 0, "predictor_layers_per_scale", o.predictor_layers_per_scale, "> 0");
   check(o.head_hidden > 0, "head_hidden", o.head_hidden, "> 0");
   check(o.contact_gate_margin_m >= 0.0, "contact_gate_margin_m", o.contact_gate_margin_m, ">= 0");
+  check(!o.engine_motion || (o.inertial_base_motion && o.velocity_output && o.end_velocity_output), "engine_motion",
+        o.engine_motion, "off without inertial_base_motion, velocity_output and end_velocity_output");
   check(approximate_weights(o) <= kMaxWeights, "number of weights", approximate_weights(o), "at most 1e9");
 }
 
@@ -248,7 +257,7 @@ ModelOptions model_options_from_json(const std::string& text) {
     std::set<std::string> known = {"position_encoding"};
     visit_fields(options, [&](const char* name, auto& field) {
       known.insert(name);
-      read_option(json, name, field);
+      if (json.contains(name) || !is_newer(name)) read_option(json, name, field);
     });
     std::string encoding;
     read_option(json, "position_encoding", encoding);

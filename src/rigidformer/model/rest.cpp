@@ -17,18 +17,30 @@ Tensor is_still(const Pose& from, const Pose& to, const Tensor& dt, const Tensor
   return (distance < max_speed * dt).logical_and(angle < max_spin * dt);
 }
 
+/// What lies on something has no velocity. So has, for an instant, what free motion brought to its highest point: this
+/// is the other way for two poses to say "no velocity" (see StepPrediction::departure).
+Pose highest_point_departure(const SceneBatch& batch, const Pose& departure) {
+  const Tensor rise = 0.5 * (batch.gravity * batch.time_step().square()).reshape({-1, 1, 1});
+  return {departure.rotation,
+          torch::cat({departure.translation.slice(-1, 0, 2), departure.translation.slice(-1, 2) - rise}, -1)};
+}
+
 }  // namespace
 
 void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& next, const RestLimits& limits) {
   const Tensor dt = batch.time_step().unsqueeze(-1);  // [B, 1]
   const Tensor fall = kShareOfFall * batch.gravity.abs().unsqueeze(-1) * dt;
   const Tensor max_speed = fall.clamp_max(limits.speed_mps);
+  const Pose raised = highest_point_departure(batch, last.previous);
   const Tensor held = is_still(last.previous, last.current, dt, max_speed, limits.spin_radps)
+                          .logical_or(is_still(raised, last.current, dt, max_speed, limits.spin_radps))
                           .logical_and(is_still(last.current, next.current, dt, max_speed, limits.spin_radps))
                           .logical_and(batch.dynamic_mask)
                           .unsqueeze(-1);
-  next.current.translation = torch::where(held, last.current.translation, next.current.translation);
-  next.current.rotation = torch::where(held.unsqueeze(-1), last.current.rotation, next.current.rotation);
+  for (Pose* pose : {&next.previous, &next.current}) {
+    pose->translation = torch::where(held, last.current.translation, pose->translation);
+    pose->rotation = torch::where(held.unsqueeze(-1), last.current.rotation, pose->rotation);
+  }
 }
 
 }  // namespace rigidformer

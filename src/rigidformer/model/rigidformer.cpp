@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/rigidformer.hpp"
 
+#include <stdexcept>
+
 #include "rigidformer/model/features.hpp"
 #include "rigidformer/model/rigid_projection.hpp"
 
@@ -10,6 +12,7 @@ namespace {
 
 constexpr double kStepUnit = 10.0;     // frames; keeps the FiLM code (s, s^2) near one
 constexpr double kPositionUnit = 5.0;  // [m] half the MOVi arena
+constexpr double kFirstEngineLogit = 1.5;
 
 /// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim]. A scene without a command has c = 0.
 Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
@@ -24,6 +27,9 @@ Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
 Tensor orthonormalized(const Tensor& R) {
   return 1.5 * R - 0.5 * torch::matmul(R, torch::matmul(R.transpose(-1, -2), R));
 }
+
+/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly.
+Tensor engine_share(const Tensor& outputs) { return (outputs.slice(-1, 6) + kFirstEngineLogit).sigmoid(); }
 
 }  // namespace
 
@@ -47,25 +53,47 @@ Tensor RigidFormerImpl::centre_of_mass(const SceneBatch& batch, const Pose& curr
 }
 
 StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneState& state,
-                                        const Tensor& centre_reference, const NearestSearch& nearest_search) {
+                                        const Tensor& centre_reference, const NearestSearch& nearest_search,
+                                        const EngineStep& engine_step) {
+  if (options.engine_motion && !engine_step) throw std::invalid_argument("this model needs a physics engine's step");
   const Tensor x = state.current.apply(batch.points_reference);
   const Nearest nearest = nearest_search(batch, state.current, x);
   const BaseMotion base = make_base_motion(options, batch, state, centre_reference);
-  const Tensor outputs = predict_anchor_outputs(batch, state, base, x, nearest);
-  const Tensor radius = bounding_radius(x.detach(), batch.point_mask, base.centre.detach());
-  const Tensor q_hat = advance_anchors(batch, base, outputs, radius);
-  return {q_hat, align_rigidly(batch.anchors_reference(), q_hat, options.differentiable_alignment)};
+  const EngineMotion engine = options.engine_motion ? engine_step(state) : EngineMotion();
+  const Tensor outputs = predict_anchor_outputs(batch, state, base, x, nearest, engine);
+
+  AnchorDeviation deviation = deviation_of(batch, outputs);
+  if (options.engine_motion) mix_with_engine(batch, state, base, engine, engine_share(outputs), deviation);
+  if (options.contact_gate) close_contact_gate(batch, base, x, deviation);
+
+  const Tensor q = batch.anchors_reference();
+  const Tensor q_hat = base.apply(q) + deviation.over_step;
+  StepPrediction prediction{q_hat, align_rigidly(q, q_hat, options.differentiable_alignment), state.current};
+  if (deviation.beyond.defined()) {
+    // The mean velocity of a step is not the one at its end when something was hit on the way.
+    const Tensor q_departure = state.current.apply(q) - deviation.beyond;
+    prediction.departure = align_rigidly(q, q_departure, options.differentiable_alignment);
+  }
+  return prediction;
 }
 
 Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                               const Tensor& x, const Nearest& nearest) {
+                                               const Tensor& x, const Nearest& nearest, const EngineMotion& engine) {
   const auto geometry_type = x.scalar_type();
-  const Tensor h = vertex_features(options, batch, state, base, x, nearest).to(compute_type);
+  Tensor h = vertex_features(options, batch, state, base, x, nearest);
   const Tensor q = gather_points(x, batch.anchor_index);
   const TokenPositions positions = position_encoder(batch, state.current, x, q);
+  Tensor anchor_state = torch::cat({gather_points(h, batch.anchor_index), q / kPositionUnit}, -1).to(compute_type);
+  Tensor engine_at_anchors;
+  if (options.engine_motion) {
+    const Tensor e = engine_features(batch, state, base, engine, batch.points_reference)
+                         .masked_fill(batch.point_mask.logical_not().unsqueeze(-1), 0.0);
+    h = torch::cat({h, e}, -1);
+    engine_at_anchors = gather_points(e, batch.anchor_index).to(compute_type);
+  }
 
   // Object-level interaction (§3.1)
-  const Encoding encoding = encoder(h, batch.point_mask);
+  const Encoding encoding = encoder(h.to(compute_type), batch.point_mask);
   TokenSet objects{encoding.tokens, batch.object_mask, positions.object_angles};
   if (positions.object_embedding.defined()) {
     objects.tokens = objects.tokens + positions.object_embedding.to(compute_type);
@@ -74,26 +102,41 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
 
   // Anchor-object interaction (§3.2)
   const Tensor u = anchor_vertex_pooling(encoding.vertex_features, x, batch.point_mask, q);
-  const Tensor anchor_features = gather_points(h, batch.anchor_index);
-  const Tensor anchor_position = (q / kPositionUnit).to(compute_type);
-  return predictor(torch::cat({anchor_features, anchor_position, u}, -1), Z, objects, positions.anchor_angles,
-                   positions.anchor_embedding)
-      .to(geometry_type);
+  anchor_state = torch::cat({anchor_state, u}, -1);
+  if (engine_at_anchors.defined()) anchor_state = torch::cat({anchor_state, engine_at_anchors}, -1);
+  return predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
 }
 
-Tensor RigidFormerImpl::advance_anchors(const SceneBatch& batch, const BaseMotion& base, const Tensor& outputs,
-                                        const Tensor& radius) const {
+RigidFormerImpl::AnchorDeviation RigidFormerImpl::deviation_of(const SceneBatch& batch, const Tensor& outputs) const {
   const Tensor dt = batch.time_step().reshape({-1, 1, 1, 1});
   // Verlet (§3.2): q_hat = a dt^2 + 2 q_t - q_{t-1}. A velocity output stands for a = output / dt.
-  Tensor step = options.velocity_output ? outputs * dt : outputs * dt.square();
-  if (options.contact_gate) {
-    const Tensor gate = contact_gate(batch, base, radius, options.contact_gate_margin_m);
-    step = step * gate.unsqueeze(-1).unsqueeze(-1).to(step.scalar_type());
-  }
-  return base.apply(batch.anchors_reference()) + step;
+  AnchorDeviation deviation{outputs.slice(-1, 0, 3) * (options.velocity_output ? dt : dt.square()), Tensor()};
+  if (options.end_velocity_output) deviation.beyond = outputs.slice(-1, 3, 6) * dt;
+  return deviation;
 }
 
-SceneState advance(const SceneBatch& batch, const SceneState& state, const Pose& next) {
+void RigidFormerImpl::mix_with_engine(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
+                                      const EngineMotion& engine, const Tensor& share,
+                                      AnchorDeviation& deviation) const {
+  const Tensor q = batch.anchors_reference();
+  const Tensor over_step = engine.pose.apply(q) - base.apply(q);
+  const Tensor beyond = state.current.apply(q) - engine.departure.apply(q);
+  deviation.over_step = torch::lerp(deviation.over_step, over_step, share);
+  deviation.beyond = torch::lerp(deviation.beyond, beyond, share);
+}
+
+void RigidFormerImpl::close_contact_gate(const SceneBatch& batch, const BaseMotion& base, const Tensor& x,
+                                         AnchorDeviation& deviation) const {
+  const Tensor radius = bounding_radius(x.detach(), batch.point_mask, base.centre.detach());
+  const Tensor open = contact_gate(batch, base, radius, options.contact_gate_margin_m)
+                          .unsqueeze(-1)
+                          .unsqueeze(-1)
+                          .to(deviation.over_step.scalar_type());
+  deviation.over_step = deviation.over_step * open;
+  if (deviation.beyond.defined()) deviation.beyond = deviation.beyond * open;
+}
+
+SceneState advance(const SceneBatch& batch, const SceneState& state, const StepPrediction& prediction) {
   // Objects whose motion is given keep the twist between their two states; for static ones that is rest.
   const Tensor spin = torch::matmul(state.current.rotation, state.previous.rotation.transpose(-1, -2));
   const Tensor step = (state.current.translation - state.previous.translation).unsqueeze(-1);
@@ -101,10 +144,13 @@ SceneState advance(const SceneBatch& batch, const SceneState& state, const Pose&
   const Tensor given_rotation = orthonormalized(torch::matmul(spin, state.current.rotation));
 
   const Tensor predicted = batch.dynamic_mask.unsqueeze(-1);
+  const auto choose = [&](const Pose& pose, const Tensor& rotation, const Tensor& translation) {
+    return Pose{torch::where(predicted.unsqueeze(-1), pose.rotation, rotation),
+                torch::where(predicted, pose.translation, translation)};
+  };
   SceneState after = state;
-  after.previous = state.current;
-  after.current.translation = torch::where(predicted, next.translation, given_translation);
-  after.current.rotation = torch::where(predicted.unsqueeze(-1), next.rotation, given_rotation);
+  after.previous = choose(prediction.departure, state.current.rotation, state.current.translation);
+  after.current = choose(prediction.pose, given_rotation, given_translation);
   return after;
 }
 

@@ -18,6 +18,7 @@ namespace {
 constexpr int64_t kPointBucket = 64;
 constexpr int kMinPoints = 4;
 constexpr double kMinSpread = 1e-4;  // [m] standard deviation across the second axis below which a cloud is a line
+constexpr int64_t kMaxSurfacePoints = 1024;
 // Means over the MOVi sets; for models that cannot read "unknown".
 constexpr double kMeanMass = 1.2, kMeanFriction = 0.6, kMeanRestitution = 0.5;
 
@@ -87,6 +88,28 @@ void store_properties(const ObjectState& object, bool reads_mask, SceneBatch& ba
   }
 }
 
+/// Every n-th point, so that at most `max_points` are left.
+Points thinned(const Points& cloud, Eigen::Index max_points) {
+  const Eigen::Index stride = (cloud.rows() + max_points - 1) / max_points;
+  if (stride <= 1) return cloud;
+  Points kept((cloud.rows() + stride - 1) / stride, 3);
+  for (Eigen::Index i = 0; i < kept.rows(); ++i) kept.row(i) = cloud.row(i * stride);
+  return kept;
+}
+
+/// The clouds for the physics engine, which can do with more points than the network.
+void store_surfaces(const std::vector<ObjectState>& objects, SceneBatch& batch) {
+  const auto K = static_cast<int64_t>(objects.size());
+  batch.surface_points = torch::zeros({1, K, kMaxSurfacePoints, 3});
+  batch.surface_mask = torch::zeros({1, K, kMaxSurfacePoints}, torch::kBool);
+  for (int64_t k = 0; k < K; ++k) {
+    Points cloud = thinned(objects[static_cast<size_t>(k)].points_reference, kMaxSurfacePoints);
+    const int64_t n = cloud.rows();
+    batch.surface_points[0][k].slice(0, 0, n).copy_(torch::from_blob(cloud.data(), {n, 3}));
+    batch.surface_mask[0][k].slice(0, 0, n).fill_(true);
+  }
+}
+
 Pose identity_poses(int64_t K) {
   return {torch::eye(3).reshape({1, 1, 3, 3}).repeat({1, K, 1, 1}), torch::zeros({1, K, 3})};
 }
@@ -153,6 +176,7 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
     store_pose(object.T_world_current, input.origin_world, input.state.current, k);
   }
   input.state.first = input.state.previous;
+  if (model.engine_motion) store_surfaces(objects, batch);
   batch.anchor_index =
       farthest_anchors(batch.points_reference, batch.point_mask, model.num_anchors, model.random_anchors);
   return input;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFloorHalfWidth = 50.0;  // [m], beyond where objects can roll in a scene
 constexpr double kFloorHalfHeight = 1.0;  // [m]
+constexpr double kImmovableMass = 1e6;    // [kg]
 
 btVector3 to_bullet(const Eigen::Vector3d& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
@@ -156,6 +157,14 @@ int BulletWorld::add_body(const Shape& shape, double size, const PhysicalPropert
   impl_->bodies.push_back(std::move(body));
   set_state(num_bodies() - 1, state);
   return num_bodies() - 1;
+}
+
+int BulletWorld::add_driven_body(const Shape& shape, double size, PhysicalProperties properties,
+                                 const BodyState& state) {
+  properties.mass_kg = kImmovableMass;
+  const int body = add_body(shape, size, properties, state);
+  impl_->bodies.back().body->setGravity(btVector3(0, 0, 0));
+  return body;
 }
 
 void BulletWorld::remove_last_body() {

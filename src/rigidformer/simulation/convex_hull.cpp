@@ -4,11 +4,14 @@
 
 #include <LinearMath/btConvexHullComputer.h>
 
+#include <Eigen/Eigenvalues>
 #include <stdexcept>
 #include <string>
 
 namespace rigidformer {
 namespace {
+
+constexpr float kMinThickness_m = 0.01F;
 
 using Triangles = decltype(ConvexPart::triangles);
 
@@ -51,6 +54,21 @@ ConvexPart convex_hull(const Points& points) {
   }
   part.triangles = fan_triangles(hull, part.vertices);
   return part;
+}
+
+Points with_thickness(Points points) {
+  const Eigen::RowVector3f mean = points.colwise().mean();
+  const Eigen::Matrix3f scatter = (points.rowwise() - mean).transpose() * (points.rowwise() - mean);
+  const Eigen::Matrix3f axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(scatter).eigenvectors();
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::VectorXf along = points * axes.col(k);
+    if (along.maxCoeff() - along.minCoeff() >= kMinThickness_m) continue;
+    const Eigen::RowVector3f half = 0.5F * kMinThickness_m * axes.col(k).transpose();
+    Points both(2 * points.rows(), 3);
+    both << points.rowwise() + half, points.rowwise() - half;
+    points = both;
+  }
+  return points;
 }
 
 }  // namespace rigidformer

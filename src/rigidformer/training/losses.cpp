@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/training/losses.hpp"
 
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/centre_of_mass.hpp"
 
 namespace rigidformer {
@@ -31,6 +32,16 @@ Tensor step_loss(const LossOptions& options, const SceneBatch& batch, const Step
   return options.position_weight * position + options.acceleration_weight * acceleration;  // Eq. (12)
 }
 
+Tensor end_velocity_loss(const LossOptions& options, const SceneBatch& batch, const StepPrediction& prediction,
+                         const Pose& truth, const Pose& departure) {
+  const Tensor q = batch.anchors_reference();
+  const Tensor predicted_step = prediction.pose.apply(q) - prediction.departure.apply(q);
+  const Tensor true_step = truth.apply(q) - departure.apply(q);
+  const Tensor dt = batch.time_step().reshape({-1, 1, 1, 1});
+  const Tensor mask = batch.object_mask.logical_and(batch.dynamic_mask);
+  return options.end_velocity_weight * smooth_l1((predicted_step - true_step) / dt, mask, options.beta);
+}
+
 Tensor centre_of_mass_loss(const LossOptions& options, const SceneBatch& batch, const Tensor& centre_reference) {
   const Tensor radius = bounding_radius(batch.points_reference, batch.point_mask, torch::zeros_like(centre_reference));
   const Tensor residual = centre_reference / radius.clamp_min(1e-3).unsqueeze(-1);
@@ -42,13 +53,18 @@ Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowB
   const SceneBatch& scene = windows.scene;
   SceneState state{windows.poses[0], windows.poses[0], windows.poses[1]};
   const Tensor centre = model->centre_of_mass(scene, state.current);
+  const EngineStep engine = make_engine_step(model->options, scene, centre);
   Tensor loss = torch::zeros({}, scene.points_reference.options());
   const size_t num_steps = windows.poses.size() - 2;
   for (size_t step = 0; step < num_steps; ++step) {
     // The centre of mass learns from its own loss alone: it must not serve as a free parameter of the motion.
-    const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search);
-    loss = loss + step_loss(options, scene, prediction, windows.poses[step + 2]);
-    state = advance(scene, state, prediction.pose);
+    const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search, engine);
+    const Pose& truth = windows.poses[step + 2];
+    loss = loss + step_loss(options, scene, prediction, truth);
+    if (model->options.end_velocity_output) {
+      loss = loss + end_velocity_loss(options, scene, prediction, truth, windows.departures[step]);
+    }
+    state = advance(scene, state, prediction);
   }
   loss = loss / static_cast<double>(num_steps);
   return options.centre_of_mass_weight > 0.0 ? loss + centre_of_mass_loss(options, scene, centre) : loss;

@@ -80,6 +80,8 @@ void read_model(Section section, ModelOptions& model) {
   section.read("property_mask", model.property_mask);
   section.read("own_token_in_query", model.own_token_in_query);
   section.read("velocity_output", model.velocity_output);
+  section.read("end_velocity_output", model.end_velocity_output);
+  section.read("engine_motion", model.engine_motion);
   section.reject_unknown();
   validate(model);
 }
@@ -119,6 +121,7 @@ void read_point_sets(Section section, PointSetOptions& point_sets) {
 void read_loss(Section section, LossOptions& loss) {
   section.read("position_weight", loss.position_weight);
   section.read("acceleration_weight", loss.acceleration_weight);
+  section.read("end_velocity_weight", loss.end_velocity_weight);
   section.read("residual_unit", loss.residual_unit);
   section.read("beta", loss.beta);
   section.read("centre_of_mass_weight", loss.centre_of_mass_weight);

@@ -17,6 +17,7 @@
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/model/tensor_conversion.hpp"
 #include "rigidformer/model/threads.hpp"
+#include "rigidformer/model/weight_transfer.hpp"
 #include "rigidformer/training/losses.hpp"
 #include "rigidformer/training/optimizer.hpp"
 #include "rigidformer/training/process_group.hpp"
@@ -48,6 +49,7 @@ class Trainer {
 
  private:
   void load_weights();
+  void start_from(const std::filesystem::path& file);
   void measure_peak();
   void learn_once(LogEntry& entry);
   void add_gradient(std::int64_t micro_batch, int unroll_steps);
@@ -109,14 +111,19 @@ void Trainer::measure_peak() {
             << " GFLOP/s on this device\n";
 }
 
+void Trainer::start_from(const std::filesystem::path& file) {
+  try {
+    transfer_weights(load_checkpoint(file).model, model_);
+  } catch (const std::invalid_argument& exception) {
+    throw std::invalid_argument("'" + file.string() +
+                                "' is not a start for the model of the training file: " + exception.what());
+  }
+}
+
 void Trainer::load_weights() {
   torch::manual_seed(options_.seed);
-  if (paths_.initial_model.empty()) {
-    model_ = RigidFormer(options_.model);
-  } else {
-    model_ = load_checkpoint(paths_.initial_model).model;
-    options_.model = model_->options;
-  }
+  model_ = RigidFormer(options_.model);
+  if (!paths_.initial_model.empty()) start_from(paths_.initial_model);
   if (options_.precision == "bfloat16") model_->set_compute_type(torch::kBFloat16);
   model_->to(device_);
   model_->train();

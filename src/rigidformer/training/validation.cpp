@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/windows/window_batch.hpp"
 
@@ -47,9 +48,10 @@ Pose ballistic(const WindowBatch& windows, int num_steps) {
 Pose roll_out(RigidFormer& model, const WindowBatch& windows, int num_steps) {
   SceneState state{windows.poses[0], windows.poses[0], windows.poses[1]};
   const Tensor centre = model->centre_of_mass(windows.scene, state.current);
+  const EngineStep engine = make_engine_step(model->options, windows.scene, centre);
   for (int k = 0; k < num_steps; ++k) {
-    const StepPrediction prediction = model->forward(windows.scene, state, centre, nearest_by_distance_matrix);
-    state = advance(windows.scene, state, prediction.pose);
+    const StepPrediction prediction = model->forward(windows.scene, state, centre, nearest_by_distance_matrix, engine);
+    state = advance(windows.scene, state, prediction);
   }
   return state.current;
 }
@@ -95,7 +97,8 @@ OneStepScore one_step_error(RigidFormer& model, const SceneTensors& tensors, con
   const SceneBatch& scene = batch.scene;
   const SceneState state{batch.poses[0], batch.poses[0], batch.poses[1]};
   const Tensor centre = model->centre_of_mass(scene, state.current);
-  const StepPrediction prediction = model->forward(scene, state, centre, nearest_by_distance_matrix);
+  const StepPrediction prediction =
+      model->forward(scene, state, centre, nearest_by_distance_matrix, make_engine_step(model->options, scene, centre));
   const Tensor q = scene.anchors_reference();
   const Tensor truth = batch.poses[2].apply(q);
   const BaseMotion base = make_base_motion(model->options, scene, state, centre);

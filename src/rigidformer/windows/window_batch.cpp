@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigidformer/windows/free_motion.hpp"
+
 namespace rigidformer {
 namespace {
 
@@ -142,22 +144,41 @@ Tensor per_object(const Tensor& values, const WindowRows& rows) {
   return of_scene.gather(1, rows.order.unsqueeze(-1).expand({-1, -1, of_scene.size(2)}));
 }
 
-/// True poses of all T frames, turned and shifted as a whole.
-std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& rows, int64_t T,
-                               const AugmentationOptions& options) {
-  const int64_t B = rows.order.size(0), K = rows.order.size(1);
-  const auto like = tensors.poses.options();
-  const Tensor yaw = draw_yaw(B, options, like).unsqueeze(1);  // [B, 1, 3, 3]
-  const Tensor shift = draw_shift(B, options.shift_m, like);
-  Tensor frames = tensors.poses.flatten(0, 1).index({rows.frame}).unflatten(0, {B, T});
+/// Where a window was moved to, as a whole.
+struct Placement {
+  Tensor yaw;    ///< [B, 1, 3, 3]
+  Tensor shift;  ///< [B, 1, 3]
+};
+
+/// True poses `offset` frames beside the T frames of the windows.
+std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& rows, const Placement& placement,
+                               int64_t offset) {
+  const int64_t B = rows.order.size(0), K = rows.order.size(1), T = rows.frame.size(0) / B;
+  const Tensor frame = (rows.frame + offset).clamp_min(0);
+  Tensor frames = tensors.poses.flatten(0, 1).index({frame}).unflatten(0, {B, T});
   frames = frames.gather(2, rows.order.reshape({B, 1, K, 1}).expand({B, T, K, 7}));
   std::vector<Pose> poses;
   for (int64_t t = 0; t < T; ++t) {
     const Tensor row = frames.select(1, t);
-    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1) + shift;
+    const Tensor& yaw = placement.yaw;
+    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1) + placement.shift;
     poses.push_back({torch::matmul(yaw, rotation_matrix(row.slice(-1, 3))), translation});
   }
   return poses;
+}
+
+/// True motion of the windows, turned and shifted as a whole.
+void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const AugmentationOptions& options,
+                 WindowBatch& batch) {
+  const auto like = tensors.poses.options();
+  const int64_t B = rows.order.size(0);
+  const Placement placement{draw_yaw(B, options, like).unsqueeze(1), draw_shift(B, options.shift_m, like)};
+  batch.poses = window_poses(tensors, rows, placement, 0);
+  const std::vector<Pose> before = window_poses(tensors, rows, placement, -1);
+  const std::vector<Pose> earlier = window_poses(tensors, rows, placement, -2);
+  for (size_t t = 2; t < batch.poses.size(); ++t) {
+    batch.departures.push_back(free_motion_departure(earlier[t], before[t], batch.poses[t], batch.scene));
+  }
 }
 
 /// The clouds as observed at `pose`: a surface sampling, perhaps from one side only, perhaps noisy.
@@ -165,19 +186,21 @@ void observe_points(const SceneTensors& tensors, const WindowRows& rows, const P
                     const AugmentationOptions& options, SceneBatch& scene) {
   const int64_t B = rows.order.size(0);
   const auto like = tensors.poses.options();
-  const PointCandidates candidates = draw_point_sets(tensors, per_object(tensors.shape, rows),
-                                                     per_object(tensors.size, rows), options.vertex_probability);
+  PointCandidates candidates = draw_point_sets(tensors, per_object(tensors.shape, rows), per_object(tensors.size, rows),
+                                               options.vertex_probability);
   Tensor usable = candidates.usable;
   if (options.view_probability > 0.0) {
     const Tensor whole =
         (torch::rand({B, 1, 1}, like) >= options.view_probability).logical_or(candidates.has_normals.logical_not());
     usable = usable.logical_and(facing_camera(candidates, pose).logical_or(whole));
   }
-  keep_points(candidates, usable, options, scene);
   if (options.noise_m > 0.0) {
     const Tensor deviation = torch::rand({B, 1, 1, 1}, like) * options.noise_m;
-    scene.points_reference = scene.points_reference + deviation * torch::randn_like(scene.points_reference);
+    candidates.points = candidates.points + deviation * torch::randn_like(candidates.points);
   }
+  scene.surface_points = candidates.points;
+  scene.surface_mask = usable.logical_and(scene.object_mask.unsqueeze(-1));
+  keep_points(candidates, usable, options, scene);
 }
 
 }  // namespace
@@ -207,7 +230,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   scene.step_size = rows.step_size;
   scene.ground_height = torch::zeros({B}, like);
   scene.gravity = tensors.gravity.index({rows.scene});
-  batch.poses = window_poses(tensors, rows, T, options);
+  draw_motion(tensors, rows, options, batch);
   observe_points(tensors, rows, batch.poses[1], options, scene);
   scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors, random_anchors);
   return batch;

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "rigidformer/baselines/mesh_volume.hpp"
 #include "rigidformer/scene/surface_sampling.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
+#include "rigidformer/simulation/mesh_volume.hpp"
 
 namespace rigidformer {
 

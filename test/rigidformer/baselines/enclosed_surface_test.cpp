@@ -9,7 +9,7 @@
 
 #include "rigidformer/baselines/cloud_of_shape.hpp"
 #include "rigidformer/baselines/engine_scenes.hpp"
-#include "rigidformer/baselines/mesh_volume.hpp"
+#include "rigidformer/simulation/mesh_volume.hpp"
 
 namespace rigidformer {
 namespace {

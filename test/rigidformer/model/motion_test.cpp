@@ -147,6 +147,8 @@ TEST(ContactGate, FreeFlightIsExactlyTheBaseMotion) {
   EXPECT_TRUE(torch::equal(gated.anchors_raw, base.apply(scene.batch.anchors_reference())));
   EXPECT_LT(largest_difference(gated.pose.rotation, base.pose.rotation), 1e-9);
   EXPECT_LT(largest_difference(gated.pose.translation, base.pose.translation), 1e-9);
+  EXPECT_LT(largest_difference(gated.departure.rotation, scene.state.current.rotation), 1e-9);
+  EXPECT_LT(largest_difference(gated.departure.translation, scene.state.current.translation), 1e-9);
   model->options.contact_gate = false;
   EXPECT_GT(largest_difference(predict(model, scene).anchors_raw, gated.anchors_raw), 1e-4);
 }
@@ -160,8 +162,12 @@ TEST(Advance, PredictedPosesMoveDynamicObjectsAndTwistsMoveTheOthers) {
   state.previous.translation.select(1, 2).copy_(state.current.translation.select(1, 2));
   const Pose next = flight.at(0.2);
   const Pose predicted{next.rotation.expand({1, 3, 3, 3}), next.translation.expand({1, 3, 3})};
-  const SceneState after = advance(scene.batch, state, predicted);
-  EXPECT_TRUE(torch::equal(after.previous.rotation, state.current.rotation));
+  const Pose departure = flight.at(0.1);
+  const Pose departures{departure.rotation.expand({1, 3, 3, 3}), departure.translation.expand({1, 3, 3})};
+  const SceneState after = advance(scene.batch, state, {Tensor(), predicted, departures});
+  EXPECT_TRUE(torch::equal(after.previous.rotation[0][0], departure.rotation[0][0]));
+  EXPECT_TRUE(torch::equal(after.previous.translation[0][0], departure.translation[0][0]));
+  EXPECT_TRUE(torch::equal(after.previous.rotation[0][1], state.current.rotation[0][1]));
   EXPECT_TRUE(torch::equal(after.first.translation, state.first.translation));
   EXPECT_TRUE(torch::equal(after.current.translation[0][0], next.translation[0][0]));
   EXPECT_TRUE(torch::equal(after.current.rotation[0][0], next.rotation[0][0]));
@@ -184,7 +190,7 @@ TEST(Advance, GivenMotionsStayRigidOverLongRollouts) {
   scene.batch.dynamic_mask.fill_(false);
   scene.state.previous.rotation.select(1, 1).copy_(scene.state.current.rotation.select(1, 1));
   SceneState state = scene.state;
-  for (int step = 0; step < 200; ++step) state = advance(scene.batch, state, state.current);
+  for (int step = 0; step < 200; ++step) state = advance(scene.batch, state, {Tensor(), state.current, state.current});
   const Tensor R = state.current.rotation;
   EXPECT_LT(largest_difference(torch::matmul(R.transpose(-1, -2), R), torch::eye(3).expand_as(R)), 1e-5);
   EXPECT_LT(largest_difference(R[0][1], scene.state.current.rotation[0][1]), 1e-3);  // did not turn

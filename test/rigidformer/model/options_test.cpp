@@ -45,6 +45,7 @@ const std::vector<std::pair<std::string, Change>>& changes() {
       {"property mask", [](ModelOptions& o) { o.property_mask = true; }},
       {"own token", [](ModelOptions& o) { o.own_token_in_query = true; }},
       {"velocity output", [](ModelOptions& o) { o.velocity_output = true; }},
+      {"end velocity", [](ModelOptions& o) { o.end_velocity_output = true; }},
       {"everything", [](ModelOptions& o) { o = contact_aware(o); }}};
   return list;
 }
@@ -60,10 +61,11 @@ void expect_finite_training_step(const ModelOptions& options, torch::ScalarType 
   SceneState state = scene.state;
   Tensor loss = centre.square().sum();
   for (int step = 0; step < 2; ++step) {
-    const StepPrediction prediction = model->forward(scene.batch, state, centre, nearest_by_distance_matrix);
+    const StepPrediction prediction = model->forward(scene.batch, state, centre, nearest_by_distance_matrix,
+                                                     make_engine_step(options, scene.batch, centre));
     ASSERT_EQ(prediction.anchors_raw.sizes(), (std::vector<int64_t>{2, 2, options.num_anchors, 3}));
     loss = loss + prediction.anchors_raw.square().sum() + prediction.pose.apply(scene.batch.points_reference).sum();
-    state = advance(scene.batch, state, prediction.pose);
+    state = advance(scene.batch, state, prediction);
   }
   EXPECT_TRUE(torch::isfinite(loss).item<bool>());
   loss.backward();
@@ -96,8 +98,9 @@ TEST(ModelOptionsTest, PaperPresetHasTheNumbersOfTheText) {
   EXPECT_EQ(o.num_anchors, 4);
   EXPECT_EQ(o.scales, (std::vector<int>{0, 1, 2, 4}));
   EXPECT_EQ(o.dropout, 0.1);
-  for (const bool beyond : {o.inertial_base_motion, o.contact_gate, o.centre_of_mass_head, o.position_feature,
-                            o.contact_features, o.property_mask, o.own_token_in_query, o.velocity_output}) {
+  for (const bool beyond :
+       {o.inertial_base_motion, o.contact_gate, o.centre_of_mass_head, o.position_feature, o.contact_features,
+        o.property_mask, o.own_token_in_query, o.velocity_output, o.end_velocity_output, o.engine_motion}) {
     EXPECT_FALSE(beyond);
   }
 }
@@ -134,7 +137,11 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
   for (const auto& [key, value] : good.items()) {
     Json json = good;
     json.erase(key);
-    EXPECT_NE(refusal(json).find(key), std::string::npos) << key;
+    if (key == "end_velocity_output" || key == "engine_motion") {
+      EXPECT_FALSE(model_options_from_json(json.dump()).end_velocity_output) << "older files do not hold " << key;
+    } else {
+      EXPECT_NE(refusal(json).find(key), std::string::npos) << key;
+    }
   }
   Json json = good;
   json["colour"] = 3;
@@ -191,7 +198,8 @@ TEST(ModelOptionsTest, ValuesOutOfRangeAreRefusedByName) {
       {"scales", [](ModelOptions& o) { o.scales = {5}; }},
       {"predictor_layers_per_scale", [](ModelOptions& o) { o.predictor_layers_per_scale = 0; }},
       {"head_hidden", [](ModelOptions& o) { o.head_hidden = 0; }},
-      {"contact_gate_margin_m", [](ModelOptions& o) { o.contact_gate_margin_m = -0.1; }}};
+      {"contact_gate_margin_m", [](ModelOptions& o) { o.contact_gate_margin_m = -0.1; }},
+      {"engine_motion", [](ModelOptions& o) { o.engine_motion = true; }}};
   for (const auto& [field, change] : wrong) {
     ModelOptions options = model_preset("tiny");
     change(options);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/model/options.hpp"
 #include "rigidformer/model/rigid_projection.hpp"
@@ -104,7 +105,7 @@ inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vecto
 inline ModelOptions contact_aware(ModelOptions options) {
   options.inertial_base_motion = options.contact_gate = options.centre_of_mass_head = true;
   options.position_feature = options.contact_features = options.property_mask = true;
-  options.own_token_in_query = options.velocity_output = true;
+  options.own_token_in_query = options.velocity_output = options.end_velocity_output = true;
   options.reference_offset_feature = false;
   return options;
 }
@@ -134,7 +135,8 @@ inline RigidFormer random_model(const ModelOptions& options, torch::ScalarType t
 inline StepPrediction predict(RigidFormer& model, const RandomScene& scene) {
   torch::NoGradGuard no_grad;
   const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
-  return model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix);
+  return model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix,
+                        make_engine_step(model->options, scene.batch, centre));
 }
 
 }  // namespace rigidformer

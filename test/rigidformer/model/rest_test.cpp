@@ -55,6 +55,15 @@ TEST(HoldResting, HoldsWhatIsAndStaysSlow) {
   EXPECT_FALSE(Motion(10, 0.05, 0.1, 0.05, 0.4).is_held());
 }
 
+TEST(HoldResting, NoVelocityHasTwoForms) {
+  Motion motion(10, 0.02, 0.1, 0.02, 0.1);
+  const double dt = 10.0 / kFrameRateHz;
+  motion.last.previous.translation[0][0][2] -= 0.5 * 10.0 * dt * dt;  // free motion that just ran out of speed
+  EXPECT_TRUE(motion.is_held());
+  motion.next.current.translation[0][0][2] -= 0.5 * 10.0 * dt * dt;  // ... and falls
+  EXPECT_FALSE(motion.is_held());
+}
+
 TEST(HoldResting, LimitsAreMeant) {
   EXPECT_TRUE(Motion(10, 0.15, 0.1, 0.15, 0.1).is_held({0.2, 0.3}));
   EXPECT_FALSE(Motion(10, 0.05, 0.1, 0.05, 0.1).is_held({0.04, 0.3}));

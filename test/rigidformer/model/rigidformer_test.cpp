@@ -65,10 +65,13 @@ Tensor network_share(const ModelOptions& options, const RandomScene& scene, cons
   return prediction.anchors_raw - base.apply(scene.batch.anchors_reference());
 }
 
-void expect_same(const StepPrediction& a, const StepPrediction& b, double tolerance = kSameToRounding) {
-  EXPECT_LT(largest_difference(a.anchors_raw, b.anchors_raw), tolerance);
-  EXPECT_LT(largest_difference(a.pose.translation, b.pose.translation), tolerance);
-  EXPECT_LT(largest_difference(a.pose.rotation, b.pose.rotation), tolerance);
+std::vector<Tensor*> parts_of(StepPrediction& p) {
+  return {&p.anchors_raw, &p.pose.rotation, &p.pose.translation, &p.departure.rotation, &p.departure.translation};
+}
+
+void expect_same(StepPrediction a, StepPrediction b, double tolerance = kSameToRounding) {
+  const std::vector<Tensor*> parts_a = parts_of(a), parts_b = parts_of(b);
+  for (size_t i = 0; i < parts_a.size(); ++i) EXPECT_LT(largest_difference(*parts_a[i], *parts_b[i]), tolerance) << i;
 }
 
 TEST(RigidFormerTest, TheNetworkMovesAnchorsVisibly) {
@@ -89,7 +92,7 @@ TEST(RigidFormerTest, PermutedObjectsGivePermutedPredictions) {
       options.position_encoding = position_encoding_from_string(name);
       RigidFormer model = random_model(options);
       StepPrediction expected = predict(model, scene);
-      for (Tensor* tensor : {&expected.anchors_raw, &expected.pose.rotation, &expected.pose.translation}) {
+      for (Tensor* tensor : parts_of(expected)) {
         *tensor = tensor->index_select(1, order);
       }
       expect_same(predict(model, reordered_objects(scene, order)), expected);
@@ -154,7 +157,7 @@ TEST(RigidFormerTest, PaddedPointsAndObjectsChangeNothing) {
       const StepPrediction expected = predict(model, scene);
       StepPrediction actual = predict(model, larger);
       EXPECT_TRUE(torch::isfinite(actual.anchors_raw).all().item<bool>());
-      for (Tensor* tensor : {&actual.anchors_raw, &actual.pose.rotation, &actual.pose.translation}) {
+      for (Tensor* tensor : parts_of(actual)) {
         *tensor = tensor->slice(1, 0, 3);
       }
       const Tensor valid = scene.batch.object_mask;
@@ -176,7 +179,7 @@ TEST(RigidFormerTest, BatchAndOneByOneAgree) {
     for (int64_t i = 0; i < 3; ++i) {
       StepPrediction expected = together;
       const int64_t K = scene.batch.object_mask[i].sum().item<int64_t>();
-      for (Tensor* tensor : {&expected.anchors_raw, &expected.pose.rotation, &expected.pose.translation}) {
+      for (Tensor* tensor : parts_of(expected)) {
         *tensor = tensor->slice(0, i, i + 1).slice(1, 0, K);
       }
       expect_same(predict(model, alone(scene, i)), expected);
@@ -189,8 +192,7 @@ TEST(RigidFormerTest, RolloutsStayRigid) {
   for (const ModelOptions& options : tiny_variants()) {
     RigidFormer model = random_model(options, torch::kFloat32);
     SceneState state = scene.state;
-    for (int step = 0; step < 10; ++step)
-      state = advance(scene.batch, state, predict(model, {scene.batch, state}).pose);
+    for (int step = 0; step < 10; ++step) state = advance(scene.batch, state, predict(model, {scene.batch, state}));
     const Tensor R = state.current.rotation;
     EXPECT_LT(largest_difference(torch::matmul(R.transpose(-1, -2), R), torch::eye(3).expand_as(R)), 1e-5);
     EXPECT_GT(torch::det(R).min().item<double>(), 0.999);

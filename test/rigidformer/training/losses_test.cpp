@@ -61,8 +61,24 @@ TEST(StepLoss, IsTheMeanOverValidDynamicObjects) {
 
 TEST(StepLoss, PerfectPredictionCostsNothing) {
   Miss miss(2);
-  miss.prediction = {miss.truth.apply(miss.scene.batch.anchors_reference()), miss.truth};
+  miss.prediction = {miss.truth.apply(miss.scene.batch.anchors_reference()), miss.truth, miss.truth};
   EXPECT_EQ(miss.loss({}), 0.0);
+}
+
+TEST(EndVelocityLoss, ComparesTheStepsThatLeadOn) {
+  Miss miss(1);
+  LossOptions options;
+  options.end_velocity_weight = 2.0;
+  const auto loss = [&](double x) {
+    miss.prediction.pose = miss.truth;
+    miss.prediction.departure = miss.truth;  // stands still; in truth it moves along x, time step 0.5 s
+    Pose departure = miss.truth;
+    departure.translation = departure.translation - torch::tensor({x, 0.0, 0.0}, torch::kFloat64);
+    return end_velocity_loss(options, miss.scene.batch, miss.prediction, miss.truth, departure).item<double>();
+  };
+  EXPECT_NEAR(loss(0.0), 0.0, 1e-12);
+  EXPECT_NEAR(loss(0.25), 2.0 * 0.5 * 0.5 * 0.5, 1e-9);  // 0.5 m/s, on the square of Smooth L1
+  EXPECT_NEAR(loss(2.0), 2.0 * 3.5, 1e-9);               // 4 m/s, on the line
 }
 
 TEST(CentreOfMassLoss, CountsInBoundingRadii) {
@@ -81,11 +97,13 @@ TEST(CentreOfMassLoss, CountsInBoundingRadii) {
 
 /// A window whose truth is the rollout of the model itself, with the last step missed by `miss` metres along x.
 WindowBatch own_rollout(RigidFormer& model, const RandomScene& scene, int num_steps, double miss) {
-  WindowBatch windows{scene.batch, {scene.state.previous, scene.state.current}};
+  WindowBatch windows{scene.batch, {scene.state.previous, scene.state.current}, {}};
   SceneState state{scene.state.previous, scene.state.previous, scene.state.current};
   for (int step = 0; step < num_steps; ++step) {
-    state = advance(scene.batch, state, predict(model, {scene.batch, state}).pose);
+    const StepPrediction prediction = predict(model, {scene.batch, state});
+    state = advance(scene.batch, state, prediction);
     windows.poses.push_back(state.current);
+    windows.departures.push_back(prediction.departure);
   }
   windows.poses.back().translation =
       windows.poses.back().translation + miss * torch::tensor({1.0, 0.0, 0.0}, torch::kFloat64);

@@ -67,6 +67,33 @@ TEST_F(WindowBatchTest, PosesMatchTheRecording) {
   }
 }
 
+TEST_F(WindowBatchTest, DeparturesAreTheFramesBeforeForStepsOfOneFrame) {
+  AugmentationOptions options = no_augmentation(32);
+  options.yaw_probability = 1.0;
+  options.shift_m = 1.0;
+  const WindowBatch batch = make(options, 3);
+  ASSERT_EQ(batch.departures.size(), 3u);
+  for (size_t step = 0; step < 3; ++step) {  // window 2 has s = 1 and two objects
+    const Pose &departure = batch.departures[step], &before = batch.poses[step + 1];
+    EXPECT_LT(largest_difference(departure.translation[2].slice(0, 0, 2), before.translation[2].slice(0, 0, 2)), 1e-5);
+    EXPECT_LT(largest_difference(departure.rotation[2].slice(0, 0, 2), before.rotation[2].slice(0, 0, 2)), 1e-5);
+  }
+}
+
+TEST_F(WindowBatchTest, TheSurfaceHoldsAllThatIsSeen) {
+  AugmentationOptions options = no_augmentation(16);
+  options.noise_m = 0.01;
+  options.view_probability = 1.0;
+  const SceneBatch scene = make(options).scene;
+  const Tensor count = scene.surface_mask[0][2].sum();
+  EXPECT_GT(count.item<int64_t>(), 16);   // more than the network looks at ...
+  EXPECT_LT(count.item<int64_t>(), 256);  // ... and less than all sides
+  const Tensor seen = scene.surface_points[0][2].index({scene.surface_mask[0][2]});
+  const Tensor looked_at = valid_points(scene, 0, 2);
+  EXPECT_LT(torch::cdist(looked_at, seen, 2.0, 2).amin(-1).max().item<double>(), 1e-6);  // noise and all
+  EXPECT_FALSE(scene.surface_mask[1][2].any().item<bool>());                             // no such object
+}
+
 TEST_F(WindowBatchTest, SceneHoldsWhatWasRecorded) {
   const SceneBatch scene = make(no_augmentation(32)).scene;
   const Tensor count = scene.object_mask.sum(-1);

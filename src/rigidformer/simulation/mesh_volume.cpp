@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rigidformer/baselines/mesh_volume.hpp"
+#include "rigidformer/simulation/mesh_volume.hpp"
 
 namespace rigidformer {
 

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rigidformer/scene/shape.hpp"
+
+namespace rigidformer {
+
+/// A solid that stands for an observed object.
+struct ObservedHull {
+  ConvexPart hull;  ///< Relative to the centre of mass [m]
+  double volume_m3 = 0.0;
+};
+
+/// Convex hull of the points [N, 3], at least one, around the given centre of mass. Where the centre of the hull lies
+/// far from it, the points are one side of the object only: their mirror images through the centre of mass stand for
+/// the other side.
+ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass);
+
+}  // namespace rigidformer

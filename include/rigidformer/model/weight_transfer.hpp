@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rigidformer/model/rigidformer.hpp"
+
+namespace rigidformer {
+
+/// Copies weights into a model with the same layers or with layers that have more inputs or outputs. What is new starts
+/// at zero, so that an extended model begins as the one it comes from. Throws std::invalid_argument naming the tensor
+/// that `to` lacks or that is smaller there.
+void transfer_weights(const RigidFormer& from, RigidFormer& to);
+
+}  // namespace rigidformer

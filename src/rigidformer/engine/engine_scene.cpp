@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rigidformer/engine/observed_hull.hpp"
+
+namespace rigidformer {
+namespace {
+
+constexpr double kTouching_m = 0.01;       // of the ground; sampled points miss the lowest corner by a little
+constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground rests or rolls
+constexpr double kUnknownDensity = 1.0;    // [kg/m^3]
+constexpr double kUnknownFriction = 0.6;
+constexpr double kUnknownRestitution = 0.5;
+
+double value(const Tensor& tensor) { return tensor.item<double>(); }
+
+BulletSettings settings_of(double time_step_s, double gravity) {
+  BulletSettings settings;
+  settings.frame_rate_hz = 1.0 / time_step_s;
+  settings.substeps = std::max(1, static_cast<int>(std::lround(kFrameRateHz * time_step_s)));
+  settings.gravity = {0.0, 0.0, gravity};
+  return settings;
+}
+
+/// The valid points [N, 3] of object `k` of scene `b`.
+Points points_of(const SceneBatch& batch, int64_t b, int64_t k) {
+  const bool has_surface = batch.surface_points.defined();
+  const Tensor& cloud = has_surface ? batch.surface_points : batch.points_reference;
+  const Tensor& mask = has_surface ? batch.surface_mask : batch.point_mask;
+  const Tensor points = cloud[b][k].index({mask[b][k]}).to(torch::kCPU, torch::kFloat32).contiguous();
+  return Eigen::Map<const Points>(points.data_ptr<float>(), points.size(0), 3);
+}
+
+/// Material with stand-ins for what is unknown.
+PhysicalProperties properties_of(const SceneBatch& batch, int64_t b, int64_t k, double volume_m3) {
+  const Tensor known = batch.properties_known[b][k].to(torch::kCPU) > 0.0;
+  const Tensor properties = batch.properties[b][k].to(torch::kCPU, torch::kFloat64);
+  const double stand_in[] = {kUnknownDensity * volume_m3, kUnknownFriction, kUnknownRestitution};
+  const auto property = [&](int64_t i) { return known[i].item<bool>() ? value(properties[i]) : stand_in[i]; };
+  return {property(0), property(1), property(2)};
+}
+
+}  // namespace
+
+EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference, int64_t b)
+    : scene_(b),
+      time_step_s_(value(batch.step_size[b]) / kFrameRateHz),
+      gravity_(value(batch.gravity[b])),
+      ground_height_m_(value(batch.ground_height[b])),
+      world_(settings_of(time_step_s_, gravity_)) {
+  for (int64_t k = 0; k < batch.max_objects(); ++k) {
+    if (batch.object_mask[b][k].item<bool>()) add_body(batch, centre_reference, k);
+  }
+}
+
+void EngineScene::add_body(const SceneBatch& batch, const Tensor& centre_reference, int64_t k) {
+  const Tensor centre = centre_reference[scene_][k].to(torch::kCPU, torch::kFloat64);
+  Body body{k, batch.dynamic_mask[scene_][k].item<bool>(), {value(centre[0]), value(centre[1]), value(centre[2])}, {}};
+  const ObservedHull observed = observe_hull(points_of(batch, scene_, k), body.centre_reference);
+  const PhysicalProperties properties = properties_of(batch, scene_, k, observed.volume_m3);
+  const Shape shape{"", 1.0, {observed.hull}};
+  if (body.dynamic) {
+    world_.add_body(shape, 1.0, properties, {});
+  } else {
+    world_.add_driven_body(shape, 1.0, properties, {});
+  }
+  body.hull = observed.hull.vertices;
+  bodies_.push_back(std::move(body));
+}
+
+void EngineScene::step(PoseTable& previous, PoseTable& current) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body& body = bodies_[i];
+    world_.set_state(static_cast<int>(i),
+                     observe(body, previous.get(scene_, body.object), current.get(scene_, body.object)));
+  }
+  world_.step_frame();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body& body = bodies_[i];
+    const BodyState arrived = world_.state(static_cast<int>(i));
+    previous.set(scene_, body.object, from_ground(body, departure(body, arrived)));
+    current.set(scene_, body.object, from_ground(body, arrived.T_world_object));
+  }
+}
+
+BodyState EngineScene::observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const {
+  BodyState state;
+  const RigidTransform start = on_ground(body, before);
+  state.T_world_object = on_ground(body, now);
+  state.velocity = (state.T_world_object.translation - start.translation) / time_step_s_;
+  const Eigen::AngleAxisd turn(state.T_world_object.rotation * start.rotation.conjugate());
+  const double angle = turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle();
+  state.angular_velocity = angle / time_step_s_ * turn.axis();
+  if (falls(body, state)) state.velocity.z() += half_fall();
+  return state;
+}
+
+RigidTransform EngineScene::departure(const Body& body, const BodyState& arrived) const {
+  Eigen::Vector3d velocity = arrived.velocity;
+  if (falls(body, arrived)) velocity.z() -= half_fall();
+  const Eigen::Vector3d turn = arrived.angular_velocity * time_step_s_;
+  const double angle = turn.norm();
+  const Eigen::AngleAxisd back(-angle, angle > 0.0 ? (turn / angle).eval() : Eigen::Vector3d::UnitX());
+  return {back * arrived.T_world_object.rotation, arrived.T_world_object.translation - velocity * time_step_s_};
+}
+
+/// Two poses of a falling body show the velocity between them: gravity adds half a step to it. Bullet moves by the
+/// velocity after a kick of gravity: starting half a kick back makes free flight exact.
+double EngineScene::half_fall() const {
+  const BulletSettings settings = settings_of(time_step_s_, gravity_);
+  return 0.5 * gravity_ * time_step_s_ * (1.0 - 1.0 / settings.substeps);
+}
+
+bool EngineScene::falls(const Body& body, const BodyState& state) const {
+  const bool carried = std::abs(state.velocity.z()) < kCarriedSpeed_mps &&
+                       state.T_world_object.apply(body.hull).col(2).minCoeff() < kTouching_m;
+  return body.dynamic && !carried;
+}
+
+RigidTransform EngineScene::on_ground(const Body& body, const RigidTransform& T_world_reference) const {
+  return {T_world_reference.rotation,
+          T_world_reference * body.centre_reference - Eigen::Vector3d(0.0, 0.0, ground_height_m_)};
+}
+
+RigidTransform EngineScene::from_ground(const Body& body, RigidTransform T_ground_body) const {
+  T_ground_body.translation.z() += ground_height_m_;
+  T_ground_body.translation -= T_ground_body.rotation * body.centre_reference;
+  return T_ground_body;
+}
+
+}  // namespace rigidformer

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/model/weight_transfer.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace rigidformer {
+namespace {
+
+/// The part of `larger` that `like` fills. Throws when it does not fit.
+Tensor corner(const std::string& name, Tensor larger, const Tensor& like) {
+  bool fits = larger.dim() == like.dim();
+  for (int64_t d = 0; fits && d < like.dim(); ++d) fits = larger.size(d) >= like.size(d);
+  if (!fits) {
+    std::ostringstream message;
+    message << "tensor '" << name << "' has shape " << like.sizes() << ", which does not fit into " << larger.sizes();
+    throw std::invalid_argument(message.str());
+  }
+  for (int64_t d = 0; d < like.dim(); ++d) larger = larger.slice(d, 0, like.size(d));
+  return larger;
+}
+
+}  // namespace
+
+void transfer_weights(const RigidFormer& from, RigidFormer& to) {
+  torch::NoGradGuard no_grad;
+  auto targets = to->named_parameters();
+  for (const auto& source : from->named_parameters()) {
+    Tensor* target = targets.find(source.key());
+    if (target == nullptr) throw std::invalid_argument("the new model has no tensor '" + source.key() + "'");
+    Tensor part = corner(source.key(), *target, source.value());
+    target->zero_();
+    part.copy_(source.value());
+  }
+}
+
+}  // namespace rigidformer

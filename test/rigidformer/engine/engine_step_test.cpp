@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/engine/engine_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rigidformer/model/base_motion.hpp"
+#include "rigidformer/model/random_scene.hpp"
+#include "rigidformer/simulation/bullet_world.hpp"
+#include "rigidformer/simulation/convex_hull.hpp"
+
+namespace rigidformer {
+namespace {
+
+constexpr double kStepFrames = 10.0;
+const double kTimeStep_s = kStepFrames / kFrameRateHz;
+
+ModelOptions engine_options() {
+  ModelOptions options = contact_aware(model_preset("tiny"));
+  options.engine_motion = true;
+  return options;
+}
+
+/// Unit cubes with known material above a floor, centre of mass in the origin of the reference frame.
+struct Cubes {
+  SceneBatch batch;
+  SceneState state;
+  Tensor centre;
+
+  explicit Cubes(int64_t count) {
+    const Tensor corners =
+        ((torch::arange(8, torch::kInt64).unsqueeze(-1).bitwise_and(torch::tensor({1, 2, 4})) > 0).to(torch::kFloat64) -
+         0.5);
+    batch.points_reference = corners.expand({1, count, 8, 3}).clone();
+    batch.point_mask = torch::ones({1, count, 8}, torch::kBool);
+    batch.object_mask = torch::ones({1, count}, torch::kBool);
+    batch.dynamic_mask = batch.object_mask.clone();
+    batch.properties = torch::tensor({1.0, 0.5, 0.5}, torch::kFloat64).expand({1, count, 3}).clone();
+    batch.properties_known = torch::ones({1, count, 3}, torch::kFloat64);
+    batch.step_size = torch::full({1}, kStepFrames, torch::kFloat64);
+    batch.ground_height = torch::zeros({1}, torch::kFloat64);
+    batch.gravity = torch::full({1}, -10.0, torch::kFloat64);
+    centre = torch::zeros({1, count, 3}, torch::kFloat64);
+    const Tensor identity = torch::eye(3, torch::kFloat64).expand({1, count, 3, 3}).clone();
+    state.first = state.previous = state.current = {identity, torch::zeros({1, count, 3}, torch::kFloat64)};
+    state.previous.translation = state.current.translation.clone();
+  }
+
+  void place(int64_t k, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+    for (int64_t axis = 0; axis < 3; ++axis) {
+      state.current.translation[0][k][axis] = position[axis];
+      state.previous.translation[0][k][axis] = position[axis] - velocity[axis] * kTimeStep_s;
+    }
+  }
+
+  EngineStep engine() const { return make_engine_step(engine_options(), batch, centre); }
+
+  /// Engine steps that feed on each other.
+  Pose roll_out(int num_steps) const {
+    const EngineStep step = engine();
+    SceneState now = state;
+    for (int i = 0; i < num_steps; ++i) {
+      const EngineMotion motion = step(now);
+      now.previous = motion.departure;
+      now.current = motion.pose;
+    }
+    return now.current;
+  }
+
+  double height(const Pose& pose, int64_t k) const { return pose.translation[0][k][2].item<double>(); }
+};
+
+TEST(EngineStep, ModelsWithoutEngineHaveNone) {
+  EXPECT_FALSE(make_engine_step(model_preset("tiny"), Cubes(1).batch, Cubes(1).centre));
+}
+
+TEST(EngineStep, FreeFlightIsTheBaseMotion) {
+  RandomScene scene = random_scene(2, {{9, 12}, {8}});
+  scene.batch.ground_height.fill_(kNoGround);
+  const Tensor apart = torch::tensor({{0.0, 0.0, 0.0}, {20.0, 0.0, 0.0}}, torch::kFloat64);
+  const Tensor shift = apart - scene.state.current.translation;
+  for (Pose* pose : {&scene.state.previous, &scene.state.current}) pose->translation = pose->translation + shift;
+  const Tensor centre = 0.1 * torch::randn({2, 2, 3}, torch::kFloat64);
+  const EngineMotion motion = make_engine_step(engine_options(), scene.batch, centre)(scene.state);
+  const BaseMotion base = make_base_motion(engine_options(), scene.batch, scene.state, centre);
+  const Tensor valid = scene.batch.object_mask;
+  const auto expect_near = [&](const Tensor& a, const Tensor& b) {
+    EXPECT_LT(largest_difference(a.index({valid}), b.index({valid})), 2e-3);  // Bullet turns in single precision
+  };
+  expect_near(motion.pose.translation, base.pose.translation);
+  expect_near(motion.pose.rotation, base.pose.rotation);
+  expect_near(motion.departure.translation, scene.state.current.translation);
+  expect_near(motion.departure.rotation, scene.state.current.rotation);
+}
+
+TEST(EngineStep, VelocityIsCarriedThroughImpacts) {
+  Cubes cubes(1);
+  cubes.place(0, {0.0, 0.0, 0.75}, {0.5, 0.0, -4.0});
+  BulletSettings settings;
+  settings.substeps = 1;
+  BulletWorld world(settings);
+  const double first_kick = 0.5 * 10.0 / kFrameRateHz, half_step = 0.5 * 10.0 * kTimeStep_s;
+  BodyState start;
+  start.T_world_object.translation = {0.0, 0.0, 0.75};
+  start.velocity = {0.5, 0.0, -4.0 - half_step + first_kick};
+  Points corners(8, 3);
+  for (int i = 0; i < 8; ++i) corners.row(i) << (i & 1) - 0.5F, ((i >> 1) & 1) - 0.5F, ((i >> 2) & 1) - 0.5F;
+  world.add_body({"cube", 1.0, {convex_hull(corners)}}, 1.0, {1.0, 0.5, 0.5}, start);
+  for (int steps = 1; steps <= 5; ++steps) {
+    for (int frame = 0; frame < 10; ++frame) world.step_frame();
+    const Eigen::Vector3d expected = world.state(0).T_world_object.translation;
+    const Pose actual = cubes.roll_out(steps);
+    EXPECT_NEAR(cubes.height(actual, 0), expected.z(), 2e-3) << steps;
+    EXPECT_NEAR(actual.translation[0][0][0].item<double>(), expected.x(), 2e-3) << steps;
+  }
+  EXPECT_GT(cubes.height(cubes.roll_out(3), 0), cubes.height(cubes.roll_out(2), 0));  // it did bounce
+}
+
+TEST(EngineStep, WhatLiesStaysWhereItIs) {
+  Cubes cubes(1);
+  cubes.place(0, {1.0, 2.0, 0.501}, {0.0, 0.0, 0.0});
+  const Pose after = cubes.roll_out(24);
+  EXPECT_LT(largest_difference(after.translation, cubes.state.current.translation), 2e-3);
+  EXPECT_LT(largest_difference(after.rotation, cubes.state.current.rotation), 2e-3);
+}
+
+TEST(EngineStep, GivenMotionPushesAndIsNotPushed) {
+  Cubes cubes(2);
+  cubes.place(0, {0.0, 0.0, 5.0}, {3.0, 0.0, 0.0});
+  cubes.place(1, {1.05, 0.0, 5.0}, {0.0, 0.0, 0.0});
+  cubes.batch.dynamic_mask[0][0] = false;
+  const EngineMotion motion = cubes.engine()(cubes.state);
+  EXPECT_NEAR(motion.pose.translation[0][0][0].item<double>(), 3.0 * kTimeStep_s, 1e-4);
+  EXPECT_NEAR(cubes.height(motion.pose, 0), 5.0, 1e-4);  // gravity does not move it
+  EXPECT_GT(motion.pose.translation[0][1][0].item<double>(), 1.05 + 0.05);
+}
+
+TEST(EngineStep, TheGroundIsWhereTheSceneHasIt) {
+  Cubes cubes(1);
+  cubes.place(0, {0.0, 0.0, 2.501}, {0.0, 0.0, 0.0});
+  cubes.batch.ground_height.fill_(2.0);
+  EXPECT_NEAR(cubes.height(cubes.roll_out(10), 0), 2.5, 5e-3);
+  cubes.batch.ground_height.fill_(kNoGround);
+  EXPECT_LT(cubes.height(cubes.roll_out(10), 0), 2.0);
+}
+
+TEST(EngineStep, BatchAndOneByOneAgree) {
+  Cubes first(2), second(2);
+  first.place(0, {0.0, 0.0, 0.7}, {0.0, 0.0, -3.0});
+  first.place(1, {0.2, 0.0, 2.0}, {0.0, 0.0, -5.0});
+  second.place(0, {0.0, 0.0, 1.5}, {2.0, 0.0, 0.0});
+  second.place(1, {1.3, 0.1, 1.6}, {-2.0, 0.0, 0.0});
+  Cubes both = first;
+  const auto join = [](Tensor& a, const Tensor& b) { a = torch::cat({a, b}); };
+  for (auto member : {&SceneBatch::points_reference, &SceneBatch::point_mask, &SceneBatch::object_mask,
+                      &SceneBatch::dynamic_mask, &SceneBatch::properties, &SceneBatch::properties_known,
+                      &SceneBatch::step_size, &SceneBatch::ground_height, &SceneBatch::gravity}) {
+    join(both.batch.*member, second.batch.*member);
+  }
+  join(both.centre, second.centre);
+  for (auto pose : {&SceneState::first, &SceneState::previous, &SceneState::current}) {
+    join((both.state.*pose).rotation, (second.state.*pose).rotation);
+    join((both.state.*pose).translation, (second.state.*pose).translation);
+  }
+  const Pose together = both.roll_out(4), a = first.roll_out(4), b = second.roll_out(4);
+  EXPECT_EQ(largest_difference(together.translation, torch::cat({a.translation, b.translation})), 0.0);
+  EXPECT_EQ(largest_difference(together.rotation, torch::cat({a.rotation, b.rotation})), 0.0);
+}
+
+TEST(EngineStep, TheNetworkReadsAndUsesIt) {
+  RandomScene scene = random_scene(1, {{20, 9, 16}});
+  RigidFormer model = random_model(engine_options());
+  const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
+  EXPECT_THROW(model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix), std::invalid_argument);
+  torch::NoGradGuard no_grad;
+  const StepPrediction prediction = predict(model, scene);
+  const auto moved = [&](const SceneState& state) {
+    EngineMotion motion{state.current, state.current};
+    motion.pose.translation = motion.pose.translation + 0.1;
+    return motion;
+  };
+  const StepPrediction other =
+      model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix, EngineStep(moved));
+  EXPECT_GT(largest_difference(other.pose.translation, prediction.pose.translation), 1e-3);
+  EXPECT_GT(largest_difference(other.departure.translation, prediction.departure.translation), 1e-4);
+}
+
+}  // namespace
+}  // namespace rigidformer
