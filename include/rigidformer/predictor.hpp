@@ -22,6 +22,7 @@ struct PredictorOptions {
   int warmup_runs = 2;                ///< Dummy predictions made by warm_up()
   double rest_speed = 0.1;            ///< [m/s] an object that is and would stay slower than this ...
   double rest_spin = 0.3;             ///< [rad/s] ... and this is held still; rest_speed 0 = never
+  double engine_share = -1.0;         ///< Share of the physics engine's step, in [0, 1]; negative = as learned
 };
 
 /// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; index 0 is the

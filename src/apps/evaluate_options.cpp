@@ -37,6 +37,8 @@ void add_model_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--precision", options.model.precision, "float32 or bfloat16")->capture_default_str();
   app.add_option("--rest-speed", options.model.rest_speed, "Objects slower than this [m/s] are held still, 0 = never")
       ->capture_default_str();
+  app.add_option("--engine-share", options.model.engine_share,
+                 "Share of the physics engine's step instead of the learned one: 0 = network alone, 1 = engine alone");
   app.add_option("--threads", options.model.num_threads, "CPU threads")->capture_default_str();
   app.add_option("--baselines", options.baselines,
                  "Scored beside the model: ballistic (no contact), bullet, mujoco (on the hull of the same points), "

@@ -135,6 +135,9 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
     throw std::invalid_argument("rest_speed is " + std::to_string(options.rest_speed) + " and rest_spin " +
                                 std::to_string(options.rest_spin) + ", must not be negative");
   }
+  if (!(options.engine_share <= 1.0)) {
+    throw std::invalid_argument("engine_share is " + std::to_string(options.engine_share) + ", must be at most 1");
+  }
   set_num_threads(options.num_threads);
   keep_freed_memory();
   device = select_device(options.device);
@@ -142,6 +145,7 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
   RigidFormer& model = checkpoint.model;
   model->eval();
   model->to(device);
+  if (options.engine_share >= 0.0) model->fixed_engine_share = options.engine_share;
   if (options.precision == "bfloat16") {
     model->set_compute_type(torch::kBFloat16);
     for (torch::nn::Module* part :

@@ -96,6 +96,27 @@ TEST_F(PredictorTest, SameInputGivesTheSameForecastToTheBit) {
   }
 }
 
+#ifdef RIGIDFORMER_HAS_SIMULATION
+TEST_F(PredictorTest, APhysicsEngineTakesPartInTheForecast) {
+  ModelOptions with_engine = contact_aware(model_preset("tiny"));
+  with_engine.engine_motion = true;
+  save_checkpoint(options_.file, random_model(with_engine, torch::kFloat32), facts_for_steps(1.0, 10.0));
+  options_.engine_share = 1.0;
+  Predictor engine(options_);
+  auto objects = touching_objects();
+  objects.resize(1);
+  const RolloutOptions rollout = short_rollout(60);
+  const ObjectForecast alone = engine.predict(objects, rollout).objects[0];
+  EXPECT_EQ(alone.status, ObjectForecast::Status::kOk);
+  EXPECT_GT(alone.poses.back().translation.z(), 0.05);  // it lies on the floor instead of falling through
+  options_.engine_share = -1.0;
+  const ObjectForecast learned = Predictor(options_).predict(objects, rollout).objects[0];
+  EXPECT_GT(pose_difference(alone, learned), 1e-3);
+  options_.engine_share = 1.5;
+  EXPECT_NE(error_of([&] { Predictor{options_}; }).find("engine_share is 1.5"), std::string::npos);
+}
+#endif
+
 TEST_F(PredictorTest, OrderOfTheObjectsDoesNotMatter) {
   Predictor predictor(options_);
   auto objects = touching_objects();

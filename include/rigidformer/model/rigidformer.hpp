@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "rigidformer/model/anchor_predictor.hpp"
 #include "rigidformer/model/anchor_vertex_pooling.hpp"
 #include "rigidformer/model/base_motion.hpp"
@@ -36,6 +38,7 @@ struct RigidFormerImpl : torch::nn::Module {
   void set_compute_type(torch::ScalarType type) { compute_type = type; }
 
   ModelOptions options;
+  std::optional<double> fixed_engine_share;  ///< Instead of the learned one: 0 = network alone, 1 = engine alone
   torch::ScalarType compute_type = torch::kFloat32;
   CentreOfMassHead centre_of_mass_head{nullptr};
   PointEncoder encoder{nullptr};
@@ -53,6 +56,7 @@ struct RigidFormerImpl : torch::nn::Module {
 
   Tensor predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
                                 const Tensor& points_world, const Nearest& nearest, const EngineMotion& engine);
+  Tensor engine_share(const Tensor& outputs) const;
   AnchorDeviation deviation_of(const SceneBatch& batch, const Tensor& outputs) const;
   void mix_with_engine(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
                        const EngineMotion& engine, const Tensor& share, AnchorDeviation& deviation) const;

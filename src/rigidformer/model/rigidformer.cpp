@@ -28,9 +28,6 @@ Tensor orthonormalized(const Tensor& R) {
   return 1.5 * R - 0.5 * torch::matmul(R, torch::matmul(R.transpose(-1, -2), R));
 }
 
-/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly.
-Tensor engine_share(const Tensor& outputs) { return (outputs.slice(-1, 6) + kFirstEngineLogit).sigmoid(); }
-
 }  // namespace
 
 RigidFormerImpl::RigidFormerImpl(const ModelOptions& model_options) : options(model_options) {
@@ -105,6 +102,12 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   anchor_state = torch::cat({anchor_state, u}, -1);
   if (engine_at_anchors.defined()) anchor_state = torch::cat({anchor_state, engine_at_anchors}, -1);
   return predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
+}
+
+/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly.
+Tensor RigidFormerImpl::engine_share(const Tensor& outputs) const {
+  const Tensor logit = outputs.slice(-1, 6);
+  return fixed_engine_share ? torch::full_like(logit, *fixed_engine_share) : (logit + kFirstEngineLogit).sigmoid();
 }
 
 RigidFormerImpl::AnchorDeviation RigidFormerImpl::deviation_of(const SceneBatch& batch, const Tensor& outputs) const {

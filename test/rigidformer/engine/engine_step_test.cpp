@@ -167,6 +167,21 @@ TEST(EngineStep, BatchAndOneByOneAgree) {
   EXPECT_EQ(largest_difference(together.rotation, torch::cat({a.rotation, b.rotation})), 0.0);
 }
 
+TEST(EngineStep, ItsShareCanBeFixed) {
+  RandomScene scene = random_scene(1, {{20, 9, 16}});
+  RigidFormer model = random_model(engine_options());
+  model->options.contact_gate = false;
+  const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
+  const EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state);
+  const auto distance = [&](std::optional<double> share) {
+    model->fixed_engine_share = share;
+    return largest_difference(predict(model, scene).pose.translation, engine.pose.translation);
+  };
+  EXPECT_LT(distance(1.0), 1e-9);
+  EXPECT_GT(distance({}), 1e-3);
+  EXPECT_GT(distance(0.0), distance({}));
+}
+
 TEST(EngineStep, TheNetworkReadsAndUsesIt) {
   RandomScene scene = random_scene(1, {{20, 9, 16}});
   RigidFormer model = random_model(engine_options());
