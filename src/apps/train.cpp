@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   app.add_option("--validation", command.paths.validation, "Folders of scenes never learned from");
   app.add_option("--shapes", command.paths.shapes, "Shape library for Kubric folders");
   app.add_option("--out", command.paths.output, "Output folder")->required();
-  app.add_option("--init", command.paths.initial_model, "Start from the weights of this model");
+  app.add_option("--init", command.paths.initial_model,
+                 "Start from the weights of this model; what the new one has beyond it starts at zero");
   app.add_option("--device", command.machine.device, "auto, cpu, cuda or cuda:N")->capture_default_str();
   app.add_option("--threads", command.machine.num_threads, "CPU threads of tensor operations")->capture_default_str();
   app.add_option("--iterations", command.iterations, "Instead of the number in the training file");

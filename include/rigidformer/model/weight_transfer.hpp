@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
+
 #include "rigidformer/model/rigidformer.hpp"
 
 namespace rigidformer {
@@ -10,5 +12,8 @@ namespace rigidformer {
 /// at zero, so that an extended model begins as the one it comes from. Throws std::invalid_argument naming the tensor
 /// that `to` lacks or that is smaller there.
 void transfer_weights(const RigidFormer& from, RigidFormer& to);
+
+/// The same from a checkpoint; also throws what load_checkpoint throws.
+void transfer_weights(const std::filesystem::path& file, RigidFormer& to);
 
 }  // namespace rigidformer

@@ -7,6 +7,7 @@
 #include "rigidformer/model/anchors.hpp"
 #include "rigidformer/model/batch.hpp"
 #include "rigidformer/windows/scene_tensors.hpp"
+#include "rigidformer/windows/tensor_random.hpp"
 #include "rigidformer/windows/window_sampler.hpp"
 
 namespace rigidformer {
@@ -34,9 +35,10 @@ struct WindowBatch {
   std::vector<Pose> departures;  ///< Per step: from where free motion arrives at its end with the true velocity there
 };
 
-/// Assembles windows on the device of `tensors`. Random numbers come from torch's default generators.
+/// Assembles windows on the device of `tensors`; a generator of `random` must live there too.
 WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Window>& windows, int num_steps,
-                              int num_anchors, const AugmentationOptions& options, bool random_anchors = false);
+                              int num_anchors, const AugmentationOptions& options, bool random_anchors = false,
+                              const TensorRandom& random = {});
 
 /// The settings for scoring: surface samples, no augmentation.
 AugmentationOptions no_augmentation(int num_points);

@@ -44,6 +44,10 @@ PhysicalProperties properties_of(const SceneBatch& batch, int64_t b, int64_t k, 
   return {property(0), property(1), property(2)};
 }
 
+bool is_finite(const BodyState& state) {
+  return is_valid(state.T_world_object) && state.velocity.allFinite() && state.angular_velocity.allFinite();
+}
+
 }  // namespace
 
 EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference, int64_t b)
@@ -82,6 +86,7 @@ void EngineScene::step(PoseTable& previous, PoseTable& current) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
     const BodyState arrived = world_.state(static_cast<int>(i));
+    if (!is_finite(arrived)) continue;  // the object stays where it is
     previous.set(scene_, body.object, from_ground(body, departure(body, arrived)));
     current.set(scene_, body.object, from_ground(body, arrived.T_world_object));
   }

@@ -8,11 +8,11 @@
 
 namespace rigidformer {
 
-Tensor farthest_anchors(const Tensor& points, const Tensor& point_mask, int num_anchors, bool random_start) {
+Tensor farthest_anchors(const Tensor& points, const Tensor& point_mask, int num_anchors, const Tensor& start_score) {
   torch::NoGradGuard no_grad;
   const Tensor invalid = point_mask.logical_not();
   const Tensor to_centroid = (points - centroid(points, point_mask).unsqueeze(2)).square().sum(-1);
-  const Tensor first_score = random_start ? torch::rand_like(to_centroid) : to_centroid;
+  const Tensor first_score = start_score.defined() ? start_score : to_centroid;
   std::vector<Tensor> chosen = {first_score.masked_fill(invalid, -1.0).argmax(-1)};
   Tensor distance = torch::full_like(to_centroid, 1e9).masked_fill(invalid, -1.0);
   while (static_cast<int>(chosen.size()) < num_anchors) {

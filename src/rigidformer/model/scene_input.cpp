@@ -177,8 +177,8 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   }
   input.state.first = input.state.previous;
   if (model.engine_motion) store_surfaces(objects, batch);
-  batch.anchor_index =
-      farthest_anchors(batch.points_reference, batch.point_mask, model.num_anchors, model.random_anchors);
+  const Tensor start_score = model.random_anchors ? torch::rand({1, K, N}) : Tensor();
+  batch.anchor_index = farthest_anchors(batch.points_reference, batch.point_mask, model.num_anchors, start_score);
   return input;
 }
 

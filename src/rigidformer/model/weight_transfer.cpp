@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "rigidformer/model/checkpoint.hpp"
+
 namespace rigidformer {
 namespace {
 
@@ -32,6 +34,15 @@ void transfer_weights(const RigidFormer& from, RigidFormer& to) {
     Tensor part = corner(source.key(), *target, source.value());
     target->zero_();
     part.copy_(source.value());
+  }
+}
+
+void transfer_weights(const std::filesystem::path& file, RigidFormer& to) {
+  const RigidFormer from = load_checkpoint(file).model;
+  try {
+    transfer_weights(from, to);
+  } catch (const std::invalid_argument& exception) {
+    throw std::invalid_argument("'" + file.string() + "' is not a start for this model: " + exception.what());
   }
 }
 

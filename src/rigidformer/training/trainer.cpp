@@ -24,6 +24,7 @@
 #include "rigidformer/training/run_log.hpp"
 #include "rigidformer/training/training_data.hpp"
 #include "rigidformer/training/validation.hpp"
+#include "rigidformer/training/window_loader.hpp"
 
 namespace rigidformer {
 namespace {
@@ -49,17 +50,19 @@ class Trainer {
 
  private:
   void load_weights();
-  void start_from(const std::filesystem::path& file);
   void measure_peak();
   void learn_once(LogEntry& entry);
   void add_gradient(std::int64_t micro_batch, int unroll_steps);
+  BatchRequest request_after(std::int64_t micro_batch) const;
   void log(LogEntry entry);
   void validate();
   void save();
   void restore();
   void synchronise();
-  int unroll_steps() const;
-  double progress() const { return static_cast<double>(iteration_) / static_cast<double>(options_.iterations); }
+  int unroll_steps(std::int64_t iteration) const;
+  double progress(std::int64_t iteration) const {
+    return static_cast<double>(iteration) / static_cast<double>(options_.iterations);
+  }
 
   TrainingOptions options_;
   TrainingPaths paths_;
@@ -68,6 +71,7 @@ class Trainer {
   torch::Device device_;
   ProcessGroup group_;
   TrainingData data_;
+  std::unique_ptr<WindowLoader> loader_;
   RigidFormer model_{nullptr};
   std::unique_ptr<FlatAdamW> optimizer_;
   std::unique_ptr<RunLog> log_;
@@ -94,6 +98,7 @@ Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, con
   data_ = load_training_data(paths, options, device_);
   if (group_.is_first()) std::cerr << data_.summary << "device " << device_ << '\n';
   load_weights();
+  loader_ = std::make_unique<WindowLoader>(data_, options_);
   optimizer_ = std::make_unique<FlatAdamW>(*model_, options_.optimizer);
   if (machine.resume && group_.is_first()) restore();
   synchronise();
@@ -111,19 +116,10 @@ void Trainer::measure_peak() {
             << " GFLOP/s on this device\n";
 }
 
-void Trainer::start_from(const std::filesystem::path& file) {
-  try {
-    transfer_weights(load_checkpoint(file).model, model_);
-  } catch (const std::invalid_argument& exception) {
-    throw std::invalid_argument("'" + file.string() +
-                                "' is not a start for the model of the training file: " + exception.what());
-  }
-}
-
 void Trainer::load_weights() {
   torch::manual_seed(options_.seed);
   model_ = RigidFormer(options_.model);
-  if (!paths_.initial_model.empty()) start_from(paths_.initial_model);
+  if (!paths_.initial_model.empty()) transfer_weights(paths_.initial_model, model_);
   if (options_.precision == "bfloat16") model_->set_compute_type(torch::kBFloat16);
   model_->to(device_);
   model_->train();
@@ -131,22 +127,26 @@ void Trainer::load_weights() {
     std::cerr << "model " << options_.model.preset << ": " << count_parameters(*model_) << " parameters\n";
 }
 
-int Trainer::unroll_steps() const {
+int Trainer::unroll_steps(std::int64_t iteration) const {
   int steps = 1;
   for (const UnrollStage& stage : options_.unroll) {
-    if (progress() >= stage.from) steps = stage.steps;
+    if (progress(iteration) >= stage.from) steps = stage.steps;
   }
   return steps;
+}
+
+/// The micro-batch that this process computes after this one.
+BatchRequest Trainer::request_after(std::int64_t micro_batch) const {
+  std::int64_t next = micro_batch + group_.size();
+  if (next / options_.micro_batches > iteration_) next = (iteration_ + 1) * options_.micro_batches + group_.rank();
+  return {next, unroll_steps(next / options_.micro_batches)};
 }
 
 void Trainer::add_gradient(std::int64_t micro_batch, int unroll_steps) {
   // All randomness of a micro-batch follows from its number, so that a resumed run repeats the uninterrupted one, and
   // several processes do what one would do.
   torch::manual_seed(options_.seed * 1000003 + static_cast<std::uint64_t>(micro_batch));
-  const std::vector<Window> windows =
-      data_.sampler->draw_batch(options_.batch_size, unroll_steps, options_.seed, micro_batch);
-  const WindowBatch batch = make_window_batch(data_.training, windows, unroll_steps, options_.model.num_anchors,
-                                              options_.augmentation, options_.model.random_anchors);
+  const WindowBatch batch = loader_->take({micro_batch, unroll_steps}, request_after(micro_batch));
   const Tensor loss = window_loss(options_.loss, model_, batch, nearest_by_distance_matrix) / options_.micro_batches;
   loss.backward();
   loss_sum_ += loss.detach();
@@ -155,13 +155,13 @@ void Trainer::add_gradient(std::int64_t micro_batch, int unroll_steps) {
 }
 
 void Trainer::learn_once(LogEntry& entry) {
-  entry.unroll_steps = unroll_steps();
+  entry.unroll_steps = unroll_steps(iteration_);
   optimizer_->zero_gradient();
   for (int i = group_.rank(); i < options_.micro_batches; i += group_.size()) {
     add_gradient(iteration_ * options_.micro_batches + i, entry.unroll_steps);
   }
   group_.sum(optimizer_->gradient());
-  entry.learning_rate = learning_rate_at(options_.optimizer, progress());
+  entry.learning_rate = learning_rate_at(options_.optimizer, progress(iteration_));
   norm_sum_ += optimizer_->step(entry.learning_rate);
   windows_ += options_.batch_size * options_.micro_batches;
   entry.iteration = ++iteration_;

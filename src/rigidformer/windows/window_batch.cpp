@@ -31,31 +31,33 @@ Tensor to_index(const std::vector<int64_t>& values, const torch::Device& device)
 }
 
 /// Yaw per window [B, 3, 3] (identity with the complementary probability).
-Tensor draw_yaw(int64_t B, const AugmentationOptions& options, const torch::TensorOptions& like) {
+Tensor draw_yaw(int64_t B, const AugmentationOptions& options, const torch::TensorOptions& like,
+                const TensorRandom& random) {
   const int64_t count = options.yaw_per_batch ? 1 : B;
-  Tensor angle = torch::rand({count}, like) * 2.0 * M_PI;
+  Tensor angle = random.uniform({count}, like) * 2.0 * M_PI;
   if (options.yaw_step_deg > 0.0) {
     const double step = options.yaw_step_deg * M_PI / 180.0;
     angle = (angle / step).floor() * step;
   }
-  angle = torch::where(torch::rand({count}, like) < options.yaw_probability, angle, torch::zeros_like(angle));
+  angle = torch::where(random.uniform({count}, like) < options.yaw_probability, angle, torch::zeros_like(angle));
   const Tensor c = angle.cos(), s = angle.sin(), zero = torch::zeros_like(c), one = torch::ones_like(c);
   return torch::stack({c, -s, zero, s, c, zero, zero, zero, one}, -1).unflatten(-1, {3, 3}).expand({B, 3, 3});
 }
 
 /// Horizontal shift per window [B, 1, 3].
-Tensor draw_shift(int64_t B, double reach, const torch::TensorOptions& like) {
-  const Tensor horizontal = reach * (2.0 * torch::rand({B, 1, 2}, like) - 1.0);
+Tensor draw_shift(int64_t B, double reach, const torch::TensorOptions& like, const TensorRandom& random) {
+  const Tensor horizontal = reach * (2.0 * random.uniform({B, 1, 2}, like) - 1.0);
   return torch::cat({horizontal, torch::zeros({B, 1, 1}, like)}, -1);
 }
 
 /// Which objects stand where, [B, K]: those that exist first, in recorded or (with `probability`) random order.
 /// K is the largest number of objects of any window, so that a batch of small scenes carries little padding.
-Tensor draw_object_order(const Tensor& object_mask, double probability, const torch::TensorOptions& like) {
+Tensor draw_object_order(const Tensor& object_mask, double probability, const torch::TensorOptions& like,
+                         const TensorRandom& random) {
   const int64_t B = object_mask.size(0), K_all = object_mask.size(1);
-  const Tensor shuffled = torch::rand({B, K_all}, like);
+  const Tensor shuffled = random.uniform({B, K_all}, like);
   const Tensor straight = torch::arange(K_all, like).expand({B, K_all}) / static_cast<double>(K_all);
-  const Tensor key = torch::where(torch::rand({B, 1}, like) < probability, shuffled, straight);
+  const Tensor key = torch::where(random.uniform({B, 1}, like) < probability, shuffled, straight);
   const Tensor order = std::get<1>((key + object_mask.logical_not().to(key.scalar_type())).sort(-1));
   return order.slice(1, 0, object_mask.sum(-1).max().item<int64_t>());
 }
@@ -68,12 +70,12 @@ struct PointCandidates {
 };
 
 PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape, const Tensor& size,
-                                double vertex_probability) {
+                                double vertex_probability, const TensorRandom& random) {
   const int64_t B = shape.size(0), K = shape.size(1);
   const int64_t P = tensors.shape_points.size(1), M = tensors.shape_points.size(2);
   const auto like = size.options();
-  const Tensor use_surface = torch::rand({B, 1}, like) >= vertex_probability;
-  const Tensor set = torch::randint(std::min<int64_t>(1, P - 1), P, {B, K}, shape.options()) * use_surface;
+  const Tensor use_surface = random.uniform({B, 1}, like) >= vertex_probability;
+  const Tensor set = random.integer(std::min<int64_t>(1, P - 1), P, {B, K}, shape.options()) * use_surface;
   const Tensor row = shape * P + set;
   PointCandidates candidates;
   candidates.points = tensors.shape_points.flatten(0, 1).index({row}) * size.unsqueeze(-1).unsqueeze(-1);
@@ -85,11 +87,11 @@ PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape
 }
 
 /// Points whose outward normal faces a camera drawn per window.
-Tensor facing_camera(const PointCandidates& candidates, const Pose& pose) {
+Tensor facing_camera(const PointCandidates& candidates, const Pose& pose, const TensorRandom& random) {
   const int64_t B = candidates.points.size(0);
   const auto like = candidates.points.options();
-  const Tensor azimuth = torch::rand({B}, like) * 2.0 * M_PI;
-  const Tensor elevation = kMinElevation + torch::rand({B}, like) * (kMaxElevation - kMinElevation);
+  const Tensor azimuth = random.uniform({B}, like) * 2.0 * M_PI;
+  const Tensor elevation = kMinElevation + random.uniform({B}, like) * (kMaxElevation - kMinElevation);
   const Tensor camera =
       kCameraDistance *
       torch::stack({elevation.cos() * azimuth.cos(), elevation.cos() * azimuth.sin(), elevation.sin()}, -1);
@@ -102,13 +104,13 @@ Tensor facing_camera(const PointCandidates& candidates, const Pose& pose) {
 
 /// Moves the first `count` usable points of every object to the front, keeping farthest-point order.
 void keep_points(const PointCandidates& candidates, const Tensor& usable, const AugmentationOptions& options,
-                 SceneBatch& scene) {
+                 const TensorRandom& random, SceneBatch& scene) {
   const int64_t B = usable.size(0), K = usable.size(1), M = usable.size(2);
   const int64_t N = std::min<int64_t>(options.max_points, M);
   const Tensor rank = torch::arange(M, torch::TensorOptions(torch::kInt64).device(usable.device()));
   const Tensor order = std::get<1>((rank + M * usable.logical_not()).sort(-1)).slice(-1, 0, N);
   scene.points_reference = gather_points(candidates.points, order);
-  const Tensor fraction = torch::rand({B, K}, candidates.points.options());
+  const Tensor fraction = random.uniform({B, K}, candidates.points.options());
   const Tensor wanted = (options.min_points + fraction * (options.max_points - options.min_points)).round();
   const Tensor count = torch::minimum(wanted.to(torch::kInt64), usable.sum(-1)).unsqueeze(-1);
   scene.point_mask = (rank.slice(0, 0, N) < count).logical_and(scene.object_mask.unsqueeze(-1));
@@ -122,7 +124,8 @@ struct WindowRows {
   Tensor order;      ///< [B, K] which object stands where
 };
 
-WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& windows, int64_t T, double permutation) {
+WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& windows, int64_t T, double permutation,
+                     const TensorRandom& random) {
   std::vector<int64_t> scenes, frames, steps;
   for (const Window& window : windows) {
     scenes.push_back(window.scene);
@@ -133,7 +136,7 @@ WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& win
   }
   const auto device = tensors.poses.device();
   WindowRows rows{to_index(scenes, device), to_index(frames, device), to_index(steps, device).to(torch::kFloat32), {}};
-  rows.order = draw_object_order(tensors.object_mask.index({rows.scene}), permutation, tensors.poses.options());
+  rows.order = draw_object_order(tensors.object_mask.index({rows.scene}), permutation, tensors.poses.options(), random);
   return rows;
 }
 
@@ -169,10 +172,11 @@ std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& ro
 
 /// True motion of the windows, turned and shifted as a whole.
 void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const AugmentationOptions& options,
-                 WindowBatch& batch) {
+                 const TensorRandom& random, WindowBatch& batch) {
   const auto like = tensors.poses.options();
   const int64_t B = rows.order.size(0);
-  const Placement placement{draw_yaw(B, options, like).unsqueeze(1), draw_shift(B, options.shift_m, like)};
+  const Placement placement{draw_yaw(B, options, like, random).unsqueeze(1),
+                            draw_shift(B, options.shift_m, like, random)};
   batch.poses = window_poses(tensors, rows, placement, 0);
   const std::vector<Pose> before = window_poses(tensors, rows, placement, -1);
   const std::vector<Pose> earlier = window_poses(tensors, rows, placement, -2);
@@ -183,24 +187,24 @@ void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const Augm
 
 /// The clouds as observed at `pose`: a surface sampling, perhaps from one side only, perhaps noisy.
 void observe_points(const SceneTensors& tensors, const WindowRows& rows, const Pose& pose,
-                    const AugmentationOptions& options, SceneBatch& scene) {
+                    const AugmentationOptions& options, const TensorRandom& random, SceneBatch& scene) {
   const int64_t B = rows.order.size(0);
   const auto like = tensors.poses.options();
   PointCandidates candidates = draw_point_sets(tensors, per_object(tensors.shape, rows), per_object(tensors.size, rows),
-                                               options.vertex_probability);
+                                               options.vertex_probability, random);
   Tensor usable = candidates.usable;
   if (options.view_probability > 0.0) {
     const Tensor whole =
-        (torch::rand({B, 1, 1}, like) >= options.view_probability).logical_or(candidates.has_normals.logical_not());
-    usable = usable.logical_and(facing_camera(candidates, pose).logical_or(whole));
+        (random.uniform({B, 1, 1}, like) >= options.view_probability).logical_or(candidates.has_normals.logical_not());
+    usable = usable.logical_and(facing_camera(candidates, pose, random).logical_or(whole));
   }
   if (options.noise_m > 0.0) {
-    const Tensor deviation = torch::rand({B, 1, 1, 1}, like) * options.noise_m;
-    candidates.points = candidates.points + deviation * torch::randn_like(candidates.points);
+    const Tensor deviation = random.uniform({B, 1, 1, 1}, like) * options.noise_m;
+    candidates.points = candidates.points + deviation * random.normal(candidates.points.sizes(), like);
   }
   scene.surface_points = candidates.points;
   scene.surface_mask = usable.logical_and(scene.object_mask.unsqueeze(-1));
-  keep_points(candidates, usable, options, scene);
+  keep_points(candidates, usable, options, random, scene);
 }
 
 }  // namespace
@@ -213,26 +217,28 @@ AugmentationOptions no_augmentation(int num_points) {
 }
 
 WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Window>& windows, int num_steps,
-                              int num_anchors, const AugmentationOptions& options, bool random_anchors) {
+                              int num_anchors, const AugmentationOptions& options, bool random_anchors,
+                              const TensorRandom& random) {
   torch::NoGradGuard no_grad;
   const auto like = tensors.poses.options();
   const auto B = static_cast<int64_t>(windows.size());
   const int64_t T = num_steps + 2;
-  const WindowRows rows = draw_rows(tensors, windows, T, options.permutation_probability);
+  const WindowRows rows = draw_rows(tensors, windows, T, options.permutation_probability, random);
 
   WindowBatch batch;
   SceneBatch& scene = batch.scene;
   scene.object_mask = per_object(tensors.object_mask, rows);
   scene.dynamic_mask = scene.object_mask;
-  const Tensor known = torch::rand({B, 1, 1}, like) >= options.unknown_probability;
+  const Tensor known = random.uniform({B, 1, 1}, like) >= options.unknown_probability;
   scene.properties_known = torch::ones({B, rows.order.size(1), 3}, like) * known;
   scene.properties = per_object(tensors.properties, rows) * scene.properties_known;
   scene.step_size = rows.step_size;
   scene.ground_height = torch::zeros({B}, like);
   scene.gravity = tensors.gravity.index({rows.scene});
-  draw_motion(tensors, rows, options, batch);
-  observe_points(tensors, rows, batch.poses[1], options, scene);
-  scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors, random_anchors);
+  draw_motion(tensors, rows, options, random, batch);
+  observe_points(tensors, rows, batch.poses[1], options, random, scene);
+  const Tensor start_score = random_anchors ? random.uniform(scene.point_mask.sizes(), like) : Tensor();
+  scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors, start_score);
   return batch;
 }
 

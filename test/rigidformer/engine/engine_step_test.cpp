@@ -144,6 +144,15 @@ TEST(EngineStep, TheGroundIsWhereTheSceneHasIt) {
   EXPECT_LT(cubes.height(cubes.roll_out(10), 0), 2.0);
 }
 
+TEST(EngineStep, ImpossibleSpeedsStayFinite) {
+  Cubes cubes(2);
+  cubes.place(0, {0.0, 0.0, 2.0}, {0.0, 0.0, -1e38});
+  cubes.place(1, {0.0, 0.0, 0.5}, {0.0, 0.0, 0.0});
+  const Pose after = cubes.roll_out(3);
+  EXPECT_TRUE(torch::isfinite(after.translation).all().item<bool>());
+  EXPECT_TRUE(torch::isfinite(after.rotation).all().item<bool>());
+}
+
 TEST(EngineStep, BatchAndOneByOneAgree) {
   Cubes first(2), second(2);
   first.place(0, {0.0, 0.0, 0.7}, {0.0, 0.0, -3.0});
