@@ -27,8 +27,13 @@ class ShutdownLimit {
   std::thread thread_;
 };
 
-/// Waits until ROS begins to shut down: exit code 0. When a restarted master does not know this node, whose parameters
-/// and registrations went with the old one, says so, asks for a shutdown and returns 1. A master that is away is waited
+/// From now on SIGINT ends wait_for_end(), so that the main thread shuts ROS down. The handler of roscpp, replaced
+/// here, leaves that to a thread of its own, which nobody waits for at the end of the process. Call it after ROS has
+/// started.
+void catch_interrupt();
+
+/// Waits for SIGINT, or until ROS begins to shut down: exit code 0. When a restarted master does not know this node,
+/// whose parameters and registrations went with the old one, says so and returns 1. A master that is away is waited
 /// for.
 int wait_for_end();
 

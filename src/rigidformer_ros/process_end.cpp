@@ -9,6 +9,7 @@
 #include <ros/time.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
@@ -19,6 +20,13 @@ namespace {
 constexpr std::chrono::milliseconds kTidyUpLimit(1500);
 constexpr double kShutdownPoll = 0.05;  // [s] wall time
 constexpr int kPollsPerMasterCheck = 40;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void on_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);  // The second one ends the process where it stands
+}
 
 enum class MasterState { kKnowsNode, kUnreachable, kForgotNode };
 
@@ -57,18 +65,19 @@ void ShutdownLimit::start(int exit_code) {
   });
 }
 
+void catch_interrupt() { std::signal(SIGINT, on_interrupt); }
+
 int wait_for_end() {
   MasterState last = MasterState::kKnowsNode;
-  for (int poll = 1; !ros::isShuttingDown(); ++poll) {
+  for (int poll = 1; interrupted == 0 && !ros::isShuttingDown(); ++poll) {
     ros::WallDuration(kShutdownPoll).sleep();
     if (poll % kPollsPerMasterCheck != 0) {
       continue;
     }
     const MasterState state = ask_master();
-    if (state == MasterState::kForgotNode && !ros::isShuttingDown()) {
+    if (state == MasterState::kForgotNode && interrupted == 0 && !ros::isShuttingDown()) {
       ROS_FATAL_STREAM("The ROS master was restarted and does not know " << ros::this_node::getName()
                                                                          << ": launch the node again.");
-      ros::requestShutdown();
       return EXIT_FAILURE;
     }
     if (state == MasterState::kUnreachable && last == MasterState::kKnowsNode) {
