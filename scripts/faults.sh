@@ -6,6 +6,8 @@
 #   scripts/faults.sh [--workspace DIR] [FAULT ...]
 # FAULTS: node_killed publisher_killed master_killed interrupt_idle interrupt_loading interrupt_rollout interrupt_anytime
 #         disk_full ports
+# The faults are called by name.
+# shellcheck disable=SC2317
 set -uo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -145,7 +147,7 @@ disk_full() {
   local scenes=${PIPESTATUS[0]}
   "$programs/record_depth_camera" "$disk/scene.bag" --duration 1 >"$logs/bag.log" 2>&1
   local bag=$?
-  left=$(find "$disk" -type f)
+  left=$(find "$disk" -name "*.safetensors*" -o -name "*.bag*")
   umount "$disk"
   [ "$scenes" -eq 1 ] && [ "$bag" -eq 1 ] && [ -z "$left" ] && grep -q 'No space left' "$logs/scenes.log" &&
     grep -q 'cannot write' "$logs/bag.log" && echo "generate_scenes and record_depth_camera say so, end with code 1, leave no file"
