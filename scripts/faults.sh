@@ -4,7 +4,10 @@
 #
 # What happens to the running node when things around it break. Prints one line per fault; needs root for the full disk.
 #   scripts/faults.sh [--workspace DIR] [FAULT ...]
-# FAULTS: node_killed publisher_killed master_killed interrupt_idle interrupt_loading interrupt_rollout disk_full ports
+# FAULTS: node_killed publisher_killed master_killed interrupt_idle interrupt_loading interrupt_rollout interrupt_anytime
+#         disk_full ports
+# The faults are called by name.
+# shellcheck disable=SC2317
 set -uo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -12,7 +15,7 @@ workspace=$root/build/catkin_ws
 if [ "${1:-}" = --workspace ]; then workspace=$(realpath -m "$2"); shift 2; fi
 faults=("$@")
 [ ${#faults[@]} -gt 0 ] || faults=(node_killed publisher_killed master_killed interrupt_idle interrupt_loading
-  interrupt_rollout disk_full ports)
+  interrupt_rollout interrupt_anytime disk_full ports)
 
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
 export PATH=/usr/bin:/bin:$PATH ROS_HOSTNAME=localhost ROS_HOME=$workspace/ros_home ROS_MASTER_URI=http://localhost:$port
@@ -28,16 +31,17 @@ master=
 node=
 publisher=
 
-# Processes that this script started, by their ids.
+# A shell has its background processes ignore SIGINT, roslaunch does not. The node starts as under roslaunch: until roscpp sets
+# a handler, an ignored interrupt would be lost.
 start_master() { rosmaster --core -p "$port" >"$logs/master.log" 2>&1 & master=$!; wait_for 20 rosparam list; }
-start_node() { "$programs/prediction_node" "$@" >"$logs/node.log" 2>&1 & node=$!; }
+start_node() { env --default-signal=INT "$programs/prediction_node" "$@" >"$logs/node.log" 2>&1 & node=$!; }
 start_publisher() { "$programs/demo_publisher" >"$logs/publisher.log" 2>&1 & publisher=$!; }
+
+# Every fault runs in a shell of its own, which ends what it started.
 stop_all() {
-  for process in $publisher $node $master; do kill -9 "$process" 2>/dev/null; done
+  for process in $(jobs -p); do kill -9 "$process" 2>/dev/null; done
   wait 2>/dev/null
-  master='' node='' publisher=''
 }
-trap stop_all EXIT
 
 # wait_for SECONDS COMMAND...: until the command succeeds.
 wait_for() {
@@ -45,7 +49,7 @@ wait_for() {
   shift
   until "$@" >/dev/null 2>&1; do
     [ "$SECONDS" -lt "$end" ] || return 1
-    sleep 0.2
+    sleep 0.05
   done
 }
 has_forecast() { timeout 15 rostopic echo -n 1 /forecast/header/stamp; }
@@ -99,11 +103,10 @@ interrupt_idle() {
   start_master && start_node && wait_for 60 is_ready && ends_in_time "$(interrupt "$node")"
 }
 
-# A header that promises much and a pipe that never delivers would not be a regular file: a large file loads slowly enough.
+# A hundred warm-up runs take longer than this fault does.
 interrupt_loading() {
-  start_master
-  start_node _model/warmup_runs:=100
-  wait_for 20 rosservice info /get_model_info
+  start_master && start_node _model/warmup_runs:=100 && wait_for 20 rosservice info /get_model_info || return 1
+  is_ready && { echo "the model was ready too early"; return 1; }
   ends_in_time "$(interrupt "$node")"
 }
 
@@ -114,34 +117,57 @@ interrupt_rollout() {
   ends_in_time "$(interrupt "$node")"
 }
 
-# A disk of 64 KiB: the writer says so and leaves nothing that could be taken for a scene.
-disk_full() {
-  local disk=$logs/disk code
-  mkdir -p "$disk"
-  mount -t tmpfs -o size=64k tmpfs "$disk" || return 1
-  "$programs/generate_scenes" --set movi_b --scenes 2 --seed 1 --out "$disk/scenes" >"$logs/generate.log" 2>&1
-  code=$?
-  local left
-  left=$(find "$disk" -name '*.safetensors*')
-  umount "$disk"
-  [ "$code" -ne 0 ] && [ -z "$left" ] && grep -qi 'cannot write\|No space left' "$logs/generate.log" &&
-    echo "generate_scenes ends with code $code and '$(grep -i 'cannot write\|No space left' "$logs/generate.log" | tail -n 1)'"
+# Sixty starts, each interrupted after 0 to 5 s: before ROS runs, while the model is loaded, idle, in a rollout. A process that
+# has no handler yet ends with 128 + SIGINT.
+interrupt_anytime() {
+  local count=60 slowest=0 delay seconds code
+  start_master && start_publisher || return 1
+  for ((i = 0; i < count; ++i)); do
+    start_node
+    delay=$(awk -v r="$RANDOM" 'BEGIN {printf "%.2f", r / 32768 * 5}')
+    timeout 20 rosservice call --wait /predict_rollout '{num_steps: 500, max_state_age: 30.0}' >"$logs/rollout.log" 2>&1 &
+    sleep "$delay"
+    seconds=$(interrupt "$node")
+    wait "$node"
+    code=$?
+    [ "$code" -eq 0 ] || [ "$code" -eq 130 ] || { echo "interrupted after $delay s: code $code"; return 1; }
+    ends_in_time "$seconds" >/dev/null || { echo "interrupted after $delay s: took $seconds s"; return 1; }
+    slowest=$(awk -v a="$slowest" -v b="$seconds" 'BEGIN {print (a > b ? a : b)}')
+    echo "interrupted after $delay s: code $code after $seconds s" >>"$logs/interrupts.log"
+  done
+  echo "$count interrupts within 5 s after the start, no crash; the slowest took $slowest s"
 }
 
-# The two sockets of roscpp: for the master's calls, and for topics and services.
+# On a disk of 64 KiB: the writers of scenes and of bags say so and leave nothing that could be taken for a whole file.
+disk_full() {
+  local disk=$logs/disk left
+  mkdir -p "$disk"
+  mount -t tmpfs -o size=64k tmpfs "$disk" || return 1
+  "$programs/generate_scenes" --set movi_b --scenes 2 --seed 1 --out "$disk/scenes" 2>&1 | tr '\r' '\n' >"$logs/scenes.log"
+  local scenes=${PIPESTATUS[0]}
+  "$programs/record_depth_camera" "$disk/scene.bag" --duration 1 >"$logs/bag.log" 2>&1
+  local bag=$?
+  left=$(find "$disk" -name "*.safetensors*" -o -name "*.bag*")
+  umount "$disk"
+  [ "$scenes" -eq 1 ] && [ "$bag" -eq 1 ] && [ -z "$left" ] && grep -q 'No space left' "$logs/scenes.log" &&
+    grep -q 'cannot write' "$logs/bag.log" && echo "generate_scenes and record_depth_camera say so, end with code 1, leave no file"
+}
+
+# The sockets of roscpp: of TCP one for calls by the master and other nodes, one for topics and services; of UDP one for
+# topics by UDPROS, which roscpp opens even though nothing here uses it.
 ports() {
   start_all || { echo "no forecast to begin with"; return 1; }
-  local count
-  count=$(ss -ltnpH | grep -c "pid=$node,")
-  echo "the node listens on $count ports, $(ss -lunpH | grep -c "pid=$node,") of UDP"
-  [ "$count" -eq 2 ] && [ -z "$(ss -lunpH | grep "pid=$node,")" ]
+  local tcp udp
+  tcp=$(ss -ltnpH | grep -c "pid=$node,")
+  udp=$(ss -lunpH | grep -c "pid=$node,")
+  echo "the node listens on $tcp ports of TCP and $udp of UDP"
+  [ "$tcp" -eq 2 ] && [ "$udp" -eq 1 ]
 }
 
 failed=0
 for fault in "${faults[@]}"; do
   outcome=ok
-  text=$($fault 2>"$logs/$fault.err") || outcome=FAILED
-  stop_all
+  text=$(trap stop_all EXIT; $fault 2>"$logs/$fault.err") || outcome=FAILED
   [ "$outcome" = ok ] || failed=$((failed + 1))
   printf '%-6s  %-18s  %s\n' "$outcome" "$fault" "$text"
 done

@@ -4,10 +4,24 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 namespace rigidformer_ros {
+
+namespace {
+
+// With the nearest time step that the model takes: that may hang on the sizes in the scene, and the scene's velocities
+// on the time step.
+ObservedScene newest_scene(const LiveScene& live_scene, const Forecaster& forecaster, double wished_step_s) {
+  ObservedScene scene = live_scene.snapshot(wished_step_s);
+  const rigidformer::ModelInfo model = forecaster.model_for(scene);
+  const double time_step_s = std::clamp(wished_step_s, model.min_time_step_s, model.max_time_step_s);
+  return time_step_s == wished_step_s ? scene : live_scene.snapshot(time_step_s);
+}
+
+}  // namespace
 
 // A wall timer: it also runs while a simulated clock stands still.
 ForecastLoop::ForecastLoop(ros::NodeHandle& node, const NodeParameters& parameters, const Context& context)
@@ -81,7 +95,7 @@ void ForecastLoop::forecast_newest_scene() {
     return;
   }
   report_ready_once();
-  ObservedScene scene = context_.live_scene.snapshot(parameters_.predict.time_step);
+  ObservedScene scene = newest_scene(context_.live_scene, context_.forecaster, parameters_.predict.time_step);
   context_.input.scene_seen(scene.objects.size(), scene.skipped.size());
   const bool outdated = (ros::Time::now() - scene.stamp).toSec() > parameters_.history.object_timeout;
   if (scene.objects.empty() || outdated) {
@@ -95,7 +109,9 @@ void ForecastLoop::forecast_newest_scene() {
   last_stamp_ = scene.stamp;
   last_size_ = scene.objects.size();
   const ForecastTimer forecast_timer(context_.timing, parameters_.diagnostics.max_processing_time);
-  SceneRollout rollout = context_.forecaster.roll_out(std::move(scene), context_.forecaster.default_settings());
+  RolloutSettings settings = context_.forecaster.default_settings();
+  settings.options.time_step_s = scene.time_step_s;
+  SceneRollout rollout = context_.forecaster.roll_out(std::move(scene), settings);
   context_.timing.add(Stage::kInference, rollout.outcome.forecast.compute_time_s);
   if (context_.live_scene.epoch() != epoch_) {
     return;  // forgotten while it was computed

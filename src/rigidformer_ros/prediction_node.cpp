@@ -126,11 +126,12 @@ int run_prediction_node(const ModelLoader& make_predictor) {
   const ros::NodeHandle public_handle, private_handle("~");
   try {
     ShutdownLimit limit;
+    catch_interrupt();
     const auto node = make_prediction_node(public_handle, private_handle, make_predictor);
     const int exit_code = wait_for_end();
     limit.start(exit_code);
     node->stop();
-    ros::waitForShutdown();  // ROS waits for callbacks in progress
+    ros::shutdown();  // Waits for callbacks in progress
     return exit_code;
   } catch (const std::invalid_argument& error) {
     ROS_FATAL_STREAM(error.what());

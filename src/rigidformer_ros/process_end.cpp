@@ -8,7 +8,9 @@
 #include <ros/this_node.h>
 #include <ros/time.h>
 
+#include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
@@ -16,9 +18,17 @@ namespace rigidformer_ros {
 
 namespace {
 
-constexpr std::chrono::milliseconds kTidyUpLimit(1500);
+constexpr std::chrono::milliseconds kTidyUpLimit(1000);
+constexpr std::chrono::milliseconds kInterruptPoll(50);
 constexpr double kShutdownPoll = 0.05;  // [s] wall time
 constexpr int kPollsPerMasterCheck = 40;
+
+std::atomic<bool> interrupted{false};  // Free of locks: a signal handler may set it
+
+void on_interrupt(int signal) {
+  interrupted = true;
+  std::signal(signal, SIG_DFL);  // The second one ends the process where it stands
+}
 
 enum class MasterState { kKnowsNode, kUnreachable, kForgotNode };
 
@@ -36,39 +46,50 @@ MasterState ask_master() {
 
 }  // namespace
 
+ShutdownLimit::ShutdownLimit() : thread_([this] { run(); }) {}
+
 ShutdownLimit::~ShutdownLimit() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     done_ = true;
   }
-  tidied_up_.notify_all();
-  if (thread_.joinable()) {
-    thread_.join();
-  }
+  changed_.notify_all();
+  thread_.join();
 }
 
 void ShutdownLimit::start(int exit_code) {
-  thread_ = std::thread([this, exit_code] {
-    std::unique_lock<std::mutex> lock(mutex_);
-    if (!tidied_up_.wait_for(lock, kTidyUpLimit, [this] { return done_; })) {
-      std::fputs("prediction_node: the model is still busy, ending anyway\n", stderr);
-      std::_Exit(exit_code);
-    }
-  });
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    started_ = true;
+    exit_code_ = exit_code;
+  }
+  changed_.notify_all();
 }
+
+void ShutdownLimit::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!started_ && !done_ && !interrupted) {
+    changed_.wait_for(lock, kInterruptPoll);  // A signal handler may notify nobody
+  }
+  if (!changed_.wait_for(lock, kTidyUpLimit, [this] { return done_; })) {
+    std::fputs("prediction_node: something cannot be interrupted, ending anyway\n", stderr);
+    std::_Exit(exit_code_);
+  }
+}
+
+void catch_interrupt() { std::signal(SIGINT, on_interrupt); }
 
 int wait_for_end() {
   MasterState last = MasterState::kKnowsNode;
-  for (int poll = 1; !ros::isShuttingDown(); ++poll) {
+  for (int poll = 1; !interrupted && !ros::isShuttingDown(); ++poll) {
     ros::WallDuration(kShutdownPoll).sleep();
     if (poll % kPollsPerMasterCheck != 0) {
       continue;
     }
     const MasterState state = ask_master();
-    if (state == MasterState::kForgotNode && !ros::isShuttingDown()) {
+    if (state == MasterState::kForgotNode && !interrupted && !ros::isShuttingDown()) {
       ROS_FATAL_STREAM("The ROS master was restarted and does not know " << ros::this_node::getName()
                                                                          << ": launch the node again.");
-      ros::requestShutdown();
       return EXIT_FAILURE;
     }
     if (state == MasterState::kUnreachable && last == MasterState::kKnowsNode) {

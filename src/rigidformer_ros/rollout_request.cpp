@@ -63,7 +63,7 @@ int read_record_every(const Request& request, int num_steps) {
 
 double read_time_step(double requested, double default_s, const rigidformer::ModelInfo& model) {
   constexpr double kRounding = 1e-6;  // a range end written with few digits is still inside
-  const double dt = requested == 0.0 ? default_s : requested;
+  const double dt = requested == 0.0 ? std::clamp(default_s, model.min_time_step_s, model.max_time_step_s) : requested;
   const bool inside =
       dt >= model.min_time_step_s * (1.0 - kRounding) && dt <= model.max_time_step_s * (1.0 + kRounding);
   if (!std::isfinite(dt) || !inside) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <type_traits>
 
 #include "rigidformer/model/tensor_conversion.hpp"
 
@@ -40,6 +41,18 @@ const std::string& value_of(const Metadata& metadata, const std::string& key) {
   return entry->second;
 }
 
+/// Strict: what get() would cut to size (1.5, or 2^40 points) is refused.
+template <typename T>
+void read_fact(const Json& facts, const char* name, T& field) {
+  const Json& value = facts.at(name);
+  const bool not_integer = std::is_integral_v<T> && !value.is_number_integer();
+  if (!not_integer) field = value.get<T>();
+  if (not_integer || (std::is_integral_v<T> && Json(field).dump() != value.dump())) {
+    throw std::runtime_error(std::string("training fact '") + name + "' is " + value.dump() +
+                             ", must be an integer of its range");
+  }
+}
+
 /// A model of the stored options, still without its weights.
 Checkpoint parse_metadata(const Metadata& metadata) {
   if (value_of(metadata, "format") != kFormat) throw std::runtime_error("not a RigidFormer model");
@@ -49,8 +62,7 @@ Checkpoint parse_metadata(const Metadata& metadata) {
   }
   Checkpoint checkpoint;
   const Json facts = Json::parse(value_of(metadata, "training"));
-  visit_facts(checkpoint.facts,
-              [&](const char* name, auto& field) { field = facts.at(name).get<std::decay_t<decltype(field)>>(); });
+  visit_facts(checkpoint.facts, [&](const char* name, auto& field) { read_fact(facts, name, field); });
   checkpoint.model = RigidFormer(model_options_from_json(value_of(metadata, "model")));
   checkpoint.sha256 = value_of(metadata, "sha256");
   return checkpoint;

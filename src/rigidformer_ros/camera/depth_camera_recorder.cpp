@@ -5,6 +5,7 @@
 #include <rosbag/bag.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "camera_messages.hpp"
@@ -38,14 +39,8 @@ void write_frame(rosbag::Bag& bag, const FrameMessages& messages, const CameraOp
   }
 }
 
-}  // namespace
-
-RecordingSummary record_bag(const std::string& file, const CameraOptions& options) {
-  if (options.num_scenes < 1) {
-    throw std::invalid_argument("num_scenes: is " + std::to_string(options.num_scenes) +
-                                ", must be at least 1 for a recording");
-  }
-  rosbag::Bag bag;
+// Opens the bag when the first scene shows that the options are usable.
+RecordingSummary write_scenes(const std::string& file, const CameraOptions& options, rosbag::Bag& bag) {
   RecordingSummary summary;
   ros::Time start(kStart_s);
   for (; summary.num_scenes < options.num_scenes; ++summary.num_scenes) {
@@ -63,8 +58,35 @@ RecordingSummary record_bag(const std::string& file, const CameraOptions& option
     }
     start += ros::Duration(scene.time_s(scene.num_frames() - 1) + options.pause);
   }
-  bag.close();
   return summary;
+}
+
+// The destructor of an open bag writes its index: on a full disk that would end the program. Emptying the file makes
+// room.
+void abandon(rosbag::Bag& bag, const std::string& file) {
+  if (bag.isOpen()) {
+    std::filesystem::resize_file(file, 0);
+    bag.close();
+    std::filesystem::remove(file);
+  }
+}
+
+}  // namespace
+
+RecordingSummary record_bag(const std::string& file, const CameraOptions& options) {
+  if (options.num_scenes < 1) {
+    throw std::invalid_argument("num_scenes: is " + std::to_string(options.num_scenes) +
+                                ", must be at least 1 for a recording");
+  }
+  rosbag::Bag bag;
+  try {
+    const RecordingSummary summary = write_scenes(file, options, bag);
+    bag.close();
+    return summary;
+  } catch (const rosbag::BagException& error) {
+    abandon(bag, file);
+    throw std::runtime_error("bag '" + file + "': cannot write: " + error.what());
+  }
 }
 
 }  // namespace rigidformer_ros::camera

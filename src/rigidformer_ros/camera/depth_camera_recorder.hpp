@@ -16,8 +16,8 @@ struct RecordingSummary {
 
 /// Writes what a DepthCameraPublisher with these options would publish into a bag: the camera's frame once, latched, on
 /// /tf_static, then frame by frame with the stamps as times, from 1000 s on. Needs no ROS master. Throws
-/// std::invalid_argument for unusable options, std::runtime_error or rosbag::BagException when the file cannot be
-/// written.
+/// std::invalid_argument for unusable options, std::runtime_error naming the file when it cannot be written; half a bag
+/// is not left.
 RecordingSummary record_bag(const std::string& file, const CameraOptions& options);
 
 }  // namespace rigidformer_ros::camera

@@ -159,6 +159,22 @@ TEST_F(CheckpointTest, WrongVersionsAndBrokenTextsAreRefused) {
   defect();
 }
 
+// JSON text can hold any number; converting one that does not fit would cut it, or be undefined.
+TEST_F(CheckpointTest, TrainingFactsThatAreNoIntegersOfTheirRangeAreRefusedByName) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"iterations", "1.5"},        {"iterations", "1e300"}, {"iterations", "18446744073709551615"},
+      {"min_points", "4294967360"}, {"max_points", "true"},  {"seed", "-1"},
+      {"windows", "\"77\""}};
+  for (const auto& [name, number] : wrong) {
+    rewrite([&, name = name, number = number](TensorFile& file) {
+      std::string& facts = file.metadata.at("training");
+      const std::size_t begin = facts.find(':', facts.find('"' + std::string(name) + '"')) + 1;
+      facts.replace(begin, facts.find_first_of(",}", begin) - begin, number);
+    });
+    expect_defect("training fact '" + std::string(name) + "'");
+  }
+}
+
 TEST_F(CheckpointTest, WrongTensorsAreRefusedByName) {
   const std::string name = "decoder.registers";
   rewrite([&](TensorFile& file) { file.tensors.erase(name); });

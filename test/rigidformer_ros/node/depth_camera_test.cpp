@@ -11,8 +11,6 @@
 namespace rigidformer_ros::testing {
 namespace {
 
-constexpr double kHorizon_s = 0.25;
-
 /// The first scene of the camera as the node foresaw it and as it was.
 class WatchedScene {
  public:
@@ -61,6 +59,7 @@ double median(std::vector<double> values) {
 TEST(DepthCamera, ObjectsAreTrackedAndForeseenThroughTheTopics) {
   WatchedScene scene;
   ASSERT_TRUE(NodeClient::wait_until([&] { return scene.is_over(); }, 280.0));
+  const double horizon_s = ros::param::param("~horizon", 0.25);
   std::map<std::string, RigidTransform> T_reference_body;
   std::vector<double> position_errors, forecast_errors;
   for (const SceneForecast& forecast : scene.seen) {
@@ -72,7 +71,7 @@ TEST(DepthCamera, ObjectsAreTrackedAndForeseenThroughTheTopics) {
       if (!is_new) {
         position_errors.push_back(((observed * entry->second).translation - truth->translation).norm());
       }
-      const auto step = static_cast<std::size_t>(std::lround(kHorizon_s / forecast.time_step));
+      const auto step = static_cast<std::size_t>(std::lround(horizon_s / forecast.time_step));
       const auto happened = scene.pose(object.id, forecast.header.stamp + ros::Duration(forecast.times.at(step)));
       if (happened && object.status == ObjectForecast::OK) {
         const RigidTransform predicted = to_transform(object.poses.at(step)) * observed.inverse() * *truth;
