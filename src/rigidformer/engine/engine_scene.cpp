@@ -31,14 +31,14 @@ Points points_of(const SceneBatch& batch, int64_t b, int64_t k) {
   const bool has_surface = batch.surface_points.defined();
   const Tensor& cloud = has_surface ? batch.surface_points : batch.points_reference;
   const Tensor& mask = has_surface ? batch.surface_mask : batch.point_mask;
-  const Tensor points = cloud[b][k].index({mask[b][k]}).to(torch::kCPU, torch::kFloat32).contiguous();
+  const Tensor points = cloud[b][k].index({mask[b][k]}).to(torch::kFloat32).contiguous();
   return Eigen::Map<const Points>(points.data_ptr<float>(), points.size(0), 3);
 }
 
 /// Material with stand-ins for what is unknown.
 PhysicalProperties properties_of(const SceneBatch& batch, int64_t b, int64_t k, double volume_m3) {
-  const Tensor known = batch.properties_known[b][k].to(torch::kCPU) > 0.0;
-  const Tensor properties = batch.properties[b][k].to(torch::kCPU, torch::kFloat64);
+  const Tensor known = batch.properties_known[b][k] > 0.0;
+  const Tensor properties = batch.properties[b][k];
   const double stand_in[] = {kUnknownDensity * volume_m3, kUnknownFriction, kUnknownRestitution};
   const auto property = [&](int64_t i) { return known[i].item<bool>() ? value(properties[i]) : stand_in[i]; };
   return {property(0), property(1), property(2)};
@@ -56,24 +56,36 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
       gravity_(value(batch.gravity[b])),
       ground_height_m_(value(batch.ground_height[b])),
       world_(settings_of(time_step_s_, gravity_)) {
+  std::vector<Solid> solids;
+  double total_mass_kg = 0.0;
   for (int64_t k = 0; k < batch.max_objects(); ++k) {
-    if (batch.object_mask[b][k].item<bool>()) add_body(batch, centre_reference, k);
+    if (!batch.object_mask[b][k].item<bool>()) continue;
+    const Tensor c = centre_reference[b][k];
+    bodies_.push_back({k, batch.dynamic_mask[b][k].item<bool>(), {value(c[0]), value(c[1]), value(c[2])}, {}});
+    solids.push_back(observe_solid(batch, b, bodies_.back()));
+    total_mass_kg += *solids.back().properties.mass_kg;
+  }
+  // Only ratios of masses matter to the motion, but the solver's tolerances are meant for masses of about 1 kg.
+  const double mass_unit_kg = total_mass_kg / static_cast<double>(solids.size());
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    *solids[i].properties.mass_kg /= mass_unit_kg;
+    add_body(solids[i], bodies_[i]);
   }
 }
 
-void EngineScene::add_body(const SceneBatch& batch, const Tensor& centre_reference, int64_t k) {
-  const Tensor centre = centre_reference[scene_][k].to(torch::kCPU, torch::kFloat64);
-  Body body{k, batch.dynamic_mask[scene_][k].item<bool>(), {value(centre[0]), value(centre[1]), value(centre[2])}, {}};
-  const ObservedHull observed = observe_hull(points_of(batch, scene_, k), body.centre_reference);
-  const PhysicalProperties properties = properties_of(batch, scene_, k, observed.volume_m3);
-  const Shape shape{"", 1.0, {observed.hull}};
+EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, int64_t b, const Body& body) {
+  const ObservedHull observed = observe_hull(points_of(batch, b, body.object), body.centre_reference);
+  return {observed.hull, properties_of(batch, b, body.object, observed.volume_m3)};
+}
+
+void EngineScene::add_body(const Solid& solid, Body& body) {
+  const Shape shape{"", 1.0, {solid.hull}};
   if (body.dynamic) {
-    world_.add_body(shape, 1.0, properties, {});
+    world_.add_body(shape, 1.0, solid.properties, {});
   } else {
-    world_.add_driven_body(shape, 1.0, properties, {});
+    world_.add_driven_body(shape, 1.0, solid.properties, {});
   }
-  body.hull = observed.hull.vertices;
-  bodies_.push_back(std::move(body));
+  body.hull = solid.hull.vertices;
 }
 
 void EngineScene::step(PoseTable& previous, PoseTable& current) {

@@ -12,7 +12,7 @@ namespace rigidformer {
 /// One scene of a batch as bodies of a Bullet world, whose floor is the scene's ground.
 class EngineScene {
  public:
-  /// Scene `b` of the batch; centre_reference [B, K, 3].
+  /// Scene `b` of the batch; centre_reference [B, K, 3] in double precision; all on the CPU.
   EngineScene(const SceneBatch& batch, const Tensor& centre_reference, int64_t b);
 
   /// Takes the poses one step ahead: `current` to t + 1, `previous` to where free motion departs at t to arrive there
@@ -27,7 +27,13 @@ class EngineScene {
     Points hull;                       ///< Vertices relative to the centre of mass [m]
   };
 
-  void add_body(const SceneBatch& batch, const Tensor& centre_reference, int64_t k);
+  struct Solid {
+    ConvexPart hull;
+    PhysicalProperties properties;  ///< Complete
+  };
+
+  static Solid observe_solid(const SceneBatch& batch, int64_t b, const Body& body);
+  void add_body(const Solid& solid, Body& body);
   BodyState observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const;
   RigidTransform departure(const Body& body, const BodyState& arrived) const;
   double half_fall() const;

@@ -144,6 +144,20 @@ TEST(EngineStep, TheGroundIsWhereTheSceneHasIt) {
   EXPECT_LT(cubes.height(cubes.roll_out(10), 0), 2.0);
 }
 
+TEST(EngineStep, OnlyRatiosOfMassesMatter) {
+  const auto after_collision = [](double unit_kg) {
+    Cubes cubes(2);
+    cubes.place(0, {0.0, 0.0, 0.5}, {3.0, 0.0, 0.0});
+    cubes.place(1, {1.1, 0.2, 0.7}, {-1.0, 0.0, 0.0});
+    cubes.batch.properties[0][0][0] = unit_kg;
+    cubes.batch.properties[0][1][0] = 2.0 * unit_kg;
+    return cubes.roll_out(4);
+  };
+  const Pose grams = after_collision(0.001), tons = after_collision(1000.0);
+  EXPECT_LT(largest_difference(grams.translation, tons.translation), 1e-4);
+  EXPECT_LT(largest_difference(grams.rotation, tons.rotation), 1e-4);
+}
+
 TEST(EngineStep, ImpossibleSpeedsStayFinite) {
   Cubes cubes(2);
   cubes.place(0, {0.0, 0.0, 2.0}, {0.0, 0.0, -1e38});
