@@ -49,6 +49,7 @@ class ReferenceCloud {
   /// A place where there may be new surface.
   struct Candidate {
     Sample sample;
+    int num_points = 0;  ///< Seen there, the averaged ones included
     int last_cloud = 0;  ///< Number of the newest that showed it
   };
   using Candidates = std::multimap<VoxelKey, Candidate>;  ///< One per voxel and face
@@ -59,9 +60,9 @@ class ReferenceCloud {
   void remember(const Eigen::Vector3f& point, const Eigen::Vector3f& normal);
   template <class Visit>
   void visit_candidates(const VoxelKey& center, int reach, const Visit& visit) const;
-  std::set<VoxelKey> supported_candidates() const;
-  std::vector<VoxelKey> connected_candidates() const;
-  void accept_candidates();
+  std::set<VoxelKey> supported_candidates(double min_points) const;
+  std::vector<VoxelKey> connected_candidates(double min_points) const;
+  void accept_candidates(double min_points);
   void rebuild();
 
   CorrespondenceParameters parameters_;

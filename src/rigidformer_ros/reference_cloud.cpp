@@ -20,6 +20,7 @@ constexpr double kSamePlace = 0.7;       // [voxel] from the nearest reference p
 constexpr double kReach = 2.5;           // [voxel] from it: still a continuation
 constexpr int kChain = 2;                // [voxel] between places of new surface: likewise
 constexpr int kSightings = 3;            // points at a place or next to it that make it more than stray ones
+constexpr double kCoverage = 1.0;        // points at the place itself, per point that a cloud has in a voxel of surface
 constexpr int kForgetAfter = 5;          // clouds without another sight of it
 constexpr int kFaceNeighbors = 5;        // reference points among which one of the right face is looked for
 constexpr double kRebuildShare = 0.06;   // new points per known point that are worth a rebuild
@@ -100,7 +101,9 @@ void ReferenceCloud::grow(const SurfaceCloud& cloud_object) {
   for (Eigen::Index i = 0; i < cloud_object.points.rows(); ++i) {
     take_in(cloud_object.points.row(i).transpose(), cloud_object.normals.row(i).transpose());
   }
-  accept_candidates();
+  // In coarse voxels stray points gather too, but much fewer than those of a surface.
+  const double per_voxel = static_cast<double>(cloud_object.points.rows()) * std::pow(voxel_size_m_ / size_m_, 2);
+  accept_candidates(kCoverage * per_voxel);
 }
 
 void ReferenceCloud::take_in(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
@@ -126,6 +129,7 @@ void ReferenceCloud::remember(const Eigen::Vector3f& point, const Eigen::Vector3
     it = candidates_.insert({key, Candidate()});
   }
   it->second.last_cloud = num_clouds_;
+  ++it->second.num_points;
   it->second.sample.add(point, normal);
 }
 
@@ -141,13 +145,13 @@ void ReferenceCloud::visit_candidates(const VoxelKey& center, int reach, const V
   }
 }
 
-std::set<ReferenceCloud::VoxelKey> ReferenceCloud::supported_candidates() const {
+std::set<ReferenceCloud::VoxelKey> ReferenceCloud::supported_candidates(double min_points) const {
   std::set<VoxelKey> supported;
   for (const auto& entry : candidates_) {
     int sightings = 0;
     visit_candidates(entry.first, 1,
-                     [&](const VoxelKey&, const Candidate& candidate) { sightings += candidate.sample.count; });
-    if (sightings >= kSightings) {
+                     [&](const VoxelKey&, const Candidate& candidate) { sightings += candidate.num_points; });
+    if (sightings >= kSightings && entry.second.num_points >= min_points) {
       supported.insert(entry.first);
     }
   }
@@ -155,8 +159,8 @@ std::set<ReferenceCloud::VoxelKey> ReferenceCloud::supported_candidates() const 
 }
 
 // From the known surface outward: a side that turns into view at once is wide.
-std::vector<ReferenceCloud::VoxelKey> ReferenceCloud::connected_candidates() const {
-  const std::set<VoxelKey> supported = supported_candidates();
+std::vector<ReferenceCloud::VoxelKey> ReferenceCloud::connected_candidates(double min_points) const {
+  const std::set<VoxelKey> supported = supported_candidates(min_points);
   std::set<VoxelKey> reached;
   std::vector<VoxelKey> chain;
   for (const auto& [key, candidate] : candidates_) {
@@ -177,11 +181,11 @@ std::vector<ReferenceCloud::VoxelKey> ReferenceCloud::connected_candidates() con
   return chain;
 }
 
-void ReferenceCloud::accept_candidates() {
+void ReferenceCloud::accept_candidates(double min_points) {
   for (auto it = candidates_.begin(); it != candidates_.end();) {
     it = it->second.last_cloud + kForgetAfter <= num_clouds_ ? candidates_.erase(it) : std::next(it);
   }
-  const std::vector<VoxelKey> accepted = connected_candidates();
+  const std::vector<VoxelKey> accepted = connected_candidates(min_points);
   const bool has_grown = static_cast<double>(accepted.size()) > kRebuildShare * static_cast<double>(samples_.size());
   if (!has_grown && num_averaged_ < static_cast<int>(samples_.size())) {
     return;
