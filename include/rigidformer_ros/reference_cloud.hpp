@@ -21,7 +21,7 @@ class ReferenceCloud {
   ReferenceCloud(const SurfaceCloud& cloud_object, const CorrespondenceParameters& parameters);
 
   /// Takes in another cloud of the object. Surface already known is averaged over the first few clouds; new surface
-  /// counts where several points show it and a chain of such places leads to the known one.
+  /// counts where as many points show it as lie on a surface, and a chain of such places leads to the known one.
   void grow(const SurfaceCloud& cloud_object);
 
   /// Row of a reference point near `point_object`: the nearest on the same face as `normal_object` (zero = any), or the
