@@ -35,7 +35,7 @@ class PointTree::Index {
   }
 
  private:
-  static constexpr std::size_t kLeafSize = 8;
+  static constexpr std::size_t kLeafSize = 12;
   using Distance = nanoflann::L2_Simple_Adaptor<float, Index, float, int>;
 
   Points points_;
