@@ -8,6 +8,7 @@
 #include "rigidformer/geometry/rigid_transform.hpp"
 #include "rigidformer_ros/parameters.hpp"
 #include "rigidformer_ros/reference_cloud.hpp"
+#include "rigidformer_ros/surface_cloud.hpp"
 
 namespace rigidformer_ros {
 
@@ -28,16 +29,15 @@ struct CloudRegistration {
   std::string objection;  ///< Why the pose must not be trusted; empty = it may
 };
 
-/// Quality of `points_world` [N, 3] m, N >= 1, at a given pose of the reference; `objection` says what is wrong with
-/// it.
-CloudRegistration measure_pose(const ReferenceCloud& reference, const Points& points_world,
+/// Quality of a cloud of at least one point at a given pose of the reference; `objection` says what is wrong with it.
+CloudRegistration measure_pose(const ReferenceCloud& reference, const SurfaceCloud& cloud_world,
                                const RigidTransform& T_world_object, const CorrespondenceParameters& parameters);
 
-/// Pose of the reference in the cloud `points_world` [N, 3] m: robust point-to-plane iterations (point-to-point where
-/// the reference has no normal) from `T_world_predicted` or, where that starts closer, `T_world_shifted`. What the
-/// cloud does not determine, such as the spin of a ball, stays as predicted. Fewer than `kMinRegisteredPoints` give an
-/// objection.
-CloudRegistration register_cloud(const ReferenceCloud& reference, const Points& points_world,
+/// Pose of the reference in the cloud: robust point-to-plane iterations (point-to-point where the reference has no
+/// normal) that also hold the ends of faces in place, from `T_world_predicted` or, where that starts closer,
+/// `T_world_shifted`. What the cloud does not determine, such as the spin of a ball, stays as predicted. Fewer than
+/// `kMinRegisteredPoints` give an objection.
+CloudRegistration register_cloud(const ReferenceCloud& reference, const SurfaceCloud& cloud_world,
                                  const RigidTransform& T_world_predicted, const RigidTransform& T_world_shifted,
                                  const CorrespondenceParameters& parameters);
 

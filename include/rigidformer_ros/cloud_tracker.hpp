@@ -34,9 +34,10 @@ class CloudTracker {
   const Points& points_object() const { return reference_.points(); }
 
  private:
-  CloudRegistration measure(const Points& points_world, const RigidTransform& T_world_object) const;
-  void grow(const Points& points_world, const RigidTransform& T_world_object);
-  std::optional<CloudRegistration> judge(const Points& points_world, const CloudRegistration& registration);
+  SurfaceCloud surface(const Points& points) const;
+  CloudRegistration measure(const SurfaceCloud& cloud_world, const RigidTransform& T_world_object) const;
+  void grow(const SurfaceCloud& cloud_world, const RigidTransform& T_world_object);
+  std::optional<CloudRegistration> judge(const SurfaceCloud& cloud_world, const CloudRegistration& registration);
 
   CorrespondenceParameters parameters_;
   ReferenceCloud reference_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -25,16 +26,22 @@ class PointTree {
   /// Row of the nearest point.
   int nearest(const Eigen::Vector3f& point) const;
 
+  /// Fills `rows` with those of the nearest points, nearest first, and returns how many there are (at most N).
+  template <std::size_t count>
+  int nearest(const Eigen::Vector3f& point, std::array<int, count>& rows) const {
+    std::array<float, count> squared_distances;
+    return find(point, rows.data(), squared_distances.data(), static_cast<int>(count));
+  }
+
   /// Rows of the `count` (at most N) nearest points, nearest first.
   void nearest(const Eigen::Vector3f& point, int count, std::vector<int>& rows) const;
 
  private:
   class Index;
+  int find(const Eigen::Vector3f& point, int* rows, float* squared_distances, int count) const;
+
   std::unique_ptr<Index> index_;
 };
-
-/// Unit normals [N, 3], sign arbitrary, from each point's neighbours; zero where these do not lie on a plane.
-Points estimate_normals(const PointTree& tree);
 
 /// Distance [m] of each point from its third nearest neighbour, or from the farthest of fewer.
 std::vector<double> neighbor_spacing(const PointTree& tree);

@@ -4,54 +4,65 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "rigidformer_ros/parameters.hpp"
 #include "rigidformer_ros/point_tree.hpp"
+#include "rigidformer_ros/surface_cloud.hpp"
 
 namespace rigidformer_ros {
 
-/// What is known of an object's surface: points in the object frame about one voxel apart, with normals where the
-/// surface is flat enough to have one. Grows as new sides are seen; bounded in number.
+/// What is known of an object's surface: points in the object frame about one voxel apart on each face, with normals
+/// where the surface is flat enough to have one. Grows as new sides are seen; bounded in number.
 class ReferenceCloud {
  public:
-  /// Begins with the points of one cloud [N, 3] m, N >= 1, in the object frame. Points far from all others are left
-  /// out.
-  ReferenceCloud(const Points& points_object, const CorrespondenceParameters& parameters);
+  /// Begins with one cloud in the object frame, at least one point. Points far from all others are left out.
+  ReferenceCloud(const SurfaceCloud& cloud_object, const CorrespondenceParameters& parameters);
 
-  /// Takes in another cloud [N, 3] m of the object. Surface already known is averaged over the first few clouds; new
-  /// surface counts from the second time that it is seen, and only where it continues the known one.
-  void grow(const Points& points_object);
+  /// Takes in another cloud of the object. Surface already known is averaged over the first few clouds; new surface
+  /// counts where as many points show it as lie on a surface, and a chain of such places leads to the known one.
+  void grow(const SurfaceCloud& cloud_object);
 
-  /// Row of the nearest reference point.
-  int nearest(const Eigen::Vector3f& point_object) const { return tree_.nearest(point_object); }
+  /// Row of a reference point near `point_object`: the nearest on the same face as `normal_object` (zero = any), or the
+  /// nearest of all where that face is not known there.
+  int nearest(const Eigen::Vector3f& point_object, const Eigen::Vector3f& normal_object) const;
 
   const Points& points() const { return tree_.points(); }  ///< [N, 3] m
   const Points& normals() const { return normals_; }       ///< [N, 3], sign arbitrary; zero = no normal
+  const Points& borders() const { return borders_; }       ///< [N, 3], outward where a face ends; zero elsewhere
   double size_m() const { return size_m_; }                ///< Diameter of what is known
   double voxel_size_m() const { return voxel_size_m_; }
 
  private:
   using VoxelKey = std::array<int, 3>;
-  /// The mean of the points seen at one place.
+  /// The mean of the points seen at one place of one face.
   struct Sample {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    Eigen::Vector3f normal_sum = Eigen::Vector3f::Zero();
     int count = 0;
 
-    void add(const Eigen::Vector3f& point);
+    void add(const Eigen::Vector3f& point, const Eigen::Vector3f& normal);
     Eigen::Vector3f mean() const { return sum / static_cast<float>(count); }
+    Eigen::Vector3f normal() const;
   };
   /// A place where there may be new surface.
   struct Candidate {
     Sample sample;
-    int clouds = 0;      ///< In which it was seen
-    int last_cloud = 0;  ///< Number of the newest of them
+    int num_points = 0;  ///< Seen there, the averaged ones included
+    int last_cloud = 0;  ///< Number of the newest that showed it
   };
+  using Candidates = std::multimap<VoxelKey, Candidate>;  ///< One per voxel and face
 
   VoxelKey key_of(const Eigen::Vector3f& point) const;
   std::vector<Sample> thin(const std::vector<Sample>& samples) const;
-  void take_in(const Eigen::Vector3f& point);
-  void accept_candidates();
+  void take_in(const Eigen::Vector3f& point, const Eigen::Vector3f& normal);
+  void remember(const Eigen::Vector3f& point, const Eigen::Vector3f& normal);
+  template <class Visit>
+  void visit_candidates(const VoxelKey& center, int reach, const Visit& visit) const;
+  std::set<VoxelKey> supported_candidates(double min_points) const;
+  std::vector<VoxelKey> connected_candidates(double min_points) const;
+  void accept_candidates(double min_points);
   void rebuild();
 
   CorrespondenceParameters parameters_;
@@ -60,9 +71,10 @@ class ReferenceCloud {
   int num_clouds_ = 1;
   int num_averaged_ = 0;         ///< Points averaged since the last rebuild
   std::vector<Sample> samples_;  ///< One per reference point
-  std::map<VoxelKey, Candidate> candidates_;
+  Candidates candidates_;
   PointTree tree_;
   Points normals_;
+  Points borders_;
 };
 
 }  // namespace rigidformer_ros

@@ -18,10 +18,9 @@ constexpr double kSurfaceError = 0.02;    // [size] of the reference, on top: ro
 constexpr double kOverlap = 1.5;          // [voxel] along the surface from its nearest point: beyond the known surface
 constexpr double kPointWeight = 0.02;     // of a distance from a point without a normal, against one from a plane
 constexpr double kNarrowing = 0.7;        // of the kernel, per iteration
-constexpr double kConverged = 1e-4;       // [size] of a step
+constexpr double kConverged = 3e-4;       // [size] of a step
 constexpr double kPrior = 0.003;          // pull of the start, relative to the cloud's mean pull on a translation
-constexpr double kSticksOut = 0.6;        // [voxel] along the surface: beyond its border, not between two of its points
-constexpr double kBorderWeight = 0.1;     // of that distance, against one from a plane
+constexpr double kBorderWeight = 0.2;     // of a distance along the surface where it ends, against one from a plane
 constexpr double kClearlyBetter = 0.8;    // misfit of the shifted start against the predicted one
 constexpr double kRandomResiduals = 0.6;  // [inlier distance] RMSE of points that lie anywhere within it
 
@@ -44,17 +43,21 @@ Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
 
 /// A cloud point against the reference, in the object frame.
 struct Residual {
-  Eigen::Vector3d vector;  ///< From the nearest reference point
+  Eigen::Vector3d vector;  ///< From the nearest reference point of its face
   Eigen::Vector3d normal;  ///< Zero = none
+  Eigen::Vector3d border;  ///< Outward along the surface where it ends; zero elsewhere
   double distance;         ///< From the surface, or from the point where there is no normal
-  bool overlaps;           ///< Lies where the surface is known
+  bool is_known_face;      ///< The reference point may be of the cloud point's face
+  bool overlaps;           ///< Lies where that face is known
 };
 
 class Registration {
  public:
-  Registration(const ReferenceCloud& reference, const Points& points_world, const CorrespondenceParameters& parameters)
+  Registration(const ReferenceCloud& reference, const SurfaceCloud& cloud_world,
+               const CorrespondenceParameters& parameters)
       : reference_(reference),
-        points_world_(points_world.cast<double>()),
+        points_world_(cloud_world.points.cast<double>()),
+        normals_world_(cloud_world.normals.cast<double>()),
         inlier_distance_m_(kNoiseBound * parameters.noise + kSurfaceError * reference.size_m()),
         capture_distance_m_(std::max(parameters.max_correspondence_distance * reference.size_m(), inlier_distance_m_)),
         max_iterations_(parameters.max_iterations) {}
@@ -75,23 +78,30 @@ class Registration {
     Vector6d gradient = Vector6d::Zero();
   };
 
-  Residual residual(const Eigen::Vector3d& point_object) const;
+  /// Of row `i` of the cloud.
+  Residual residual(const RigidTransform& T_object_world, Eigen::Index i) const;
   System linearize(const RigidTransform& T_object_world, const Eigen::Vector3d& center, double kernel_m) const;
   Vector6d solve(const System& system, const Vector6d& to_start) const;
   double radius() const { return std::max(0.5 * reference_.size_m(), 1e-6); }
 
   const ReferenceCloud& reference_;
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> points_world_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> normals_world_;
   double inlier_distance_m_;
   double capture_distance_m_;
   int max_iterations_;
 };
 
-Residual Registration::residual(const Eigen::Vector3d& point_object) const {
-  const int row = reference_.nearest(point_object.cast<float>());
+Residual Registration::residual(const RigidTransform& T_object_world, Eigen::Index i) const {
+  const Eigen::Vector3d point_object = T_object_world * points_world_.row(i).transpose();
+  const Eigen::Vector3d normal_object = T_object_world.rotation * normals_world_.row(i).transpose();
+  const int row = reference_.nearest(point_object.cast<float>(), normal_object.cast<float>());
   Residual r;
   r.vector = point_object - reference_.points().row(row).transpose().cast<double>();
   r.normal = reference_.normals().row(row).transpose().cast<double>();
+  r.border = reference_.borders().row(row).transpose().cast<double>();
+  r.is_known_face =
+      r.normal.isZero() || normal_object.isZero() || on_same_face(r.normal.cast<float>(), normal_object.cast<float>());
   const double voxel = reference_.voxel_size_m();
   if (r.normal.isZero()) {
     const double length = r.vector.norm();
@@ -101,7 +111,7 @@ Residual Registration::residual(const Eigen::Vector3d& point_object) const {
   }
   const double offset = r.normal.dot(r.vector);
   r.distance = std::abs(offset);
-  r.overlaps = (r.vector - offset * r.normal).norm() < kOverlap * voxel;
+  r.overlaps = r.is_known_face && (r.vector - offset * r.normal).norm() < kOverlap * voxel;
   return r;
 }
 
@@ -110,7 +120,7 @@ RegistrationQuality Registration::quality(const RigidTransform& T_world_object) 
   double squares = 0.0;
   int inliers = 0;
   for (Eigen::Index i = 0; i < points_world_.rows(); ++i) {
-    const Residual r = residual(T_object_world * points_world_.row(i).transpose());
+    const Residual r = residual(T_object_world, i);
     if (r.overlaps && r.distance <= inlier_distance_m_) {
       squares += r.distance * r.distance;
       ++inliers;
@@ -124,7 +134,7 @@ double Registration::misfit(const RigidTransform& T_world_object) const {
   const RigidTransform T_object_world = T_world_object.inverse();
   double sum = 0.0;
   for (Eigen::Index i = 0; i < points_world_.rows(); ++i) {
-    const Residual r = residual(T_object_world * points_world_.row(i).transpose());
+    const Residual r = residual(T_object_world, i);
     sum += std::min(r.vector.norm(), capture_distance_m_);
   }
   return sum;
@@ -135,9 +145,9 @@ Registration::System Registration::linearize(const RigidTransform& T_object_worl
   System system;
   for (Eigen::Index i = 0; i < points_world_.rows(); ++i) {
     const Eigen::Vector3d point = T_object_world * points_world_.row(i).transpose();
-    const Residual r = residual(point);
+    const Residual r = residual(T_object_world, i);
     const bool is_coarse = kernel_m > inlier_distance_m_;
-    if (!r.overlaps && !is_coarse) {
+    if (!r.is_known_face || (!r.overlaps && !is_coarse)) {
       continue;
     }
     const double outlyingness = (r.overlaps ? r.distance : r.vector.norm()) / kernel_m;
@@ -145,9 +155,9 @@ Registration::System Registration::linearize(const RigidTransform& T_object_worl
     const double weight = root * root;  // Geman-McClure
     Eigen::Matrix3d metric = (r.normal.isZero() ? kPointWeight : 0.0) * Eigen::Matrix3d::Identity();
     metric += r.normal * r.normal.transpose();
-    const double along = (r.vector - r.normal.dot(r.vector) * r.normal).norm();
-    if (along > kSticksOut * reference_.voxel_size_m() && !is_coarse) {
-      metric += kBorderWeight * (Eigen::Matrix3d::Identity() - r.normal * r.normal.transpose());
+    if (!is_coarse) {
+      // Points near a border lie on average where the reference's do; if more lie outward, the face has slid that way.
+      metric += kBorderWeight * r.border * r.border.transpose();
     }
     Eigen::Matrix<double, 3, 6> jacobian;
     jacobian.leftCols<3>() = -cross_matrix(point - center) / radius();
@@ -202,20 +212,20 @@ std::string objection_to(const RegistrationQuality& quality, double inlier_dista
 
 }  // namespace
 
-CloudRegistration measure_pose(const ReferenceCloud& reference, const Points& points_world,
+CloudRegistration measure_pose(const ReferenceCloud& reference, const SurfaceCloud& cloud_world,
                                const RigidTransform& T_world_object, const CorrespondenceParameters& parameters) {
-  const Registration registration(reference, points_world, parameters);
+  const Registration registration(reference, cloud_world, parameters);
   const RegistrationQuality quality = registration.quality(T_world_object);
   return {T_world_object, quality, objection_to(quality, registration.inlier_distance_m(), parameters)};
 }
 
-CloudRegistration register_cloud(const ReferenceCloud& reference, const Points& points_world,
+CloudRegistration register_cloud(const ReferenceCloud& reference, const SurfaceCloud& cloud_world,
                                  const RigidTransform& T_world_predicted, const RigidTransform& T_world_shifted,
                                  const CorrespondenceParameters& parameters) {
-  const Registration registration(reference, points_world, parameters);
-  if (points_world.rows() < kMinRegisteredPoints) {
+  const Registration registration(reference, cloud_world, parameters);
+  if (cloud_world.points.rows() < kMinRegisteredPoints) {
     return {T_world_predicted, registration.quality(T_world_predicted),
-            std::to_string(points_world.rows()) + " points are too few to register"};
+            std::to_string(cloud_world.points.rows()) + " points are too few to register"};
   }
   const bool shift = registration.misfit(T_world_shifted) < kClearlyBetter * registration.misfit(T_world_predicted);
   CloudRegistration result;

@@ -9,7 +9,7 @@ namespace rigidformer_ros {
 
 namespace {
 
-constexpr Eigen::Index kMaxReferenceInput = 2000;  // points of one cloud that the reference looks at
+constexpr Eigen::Index kMaxReferenceInput = 2000;  // points of one cloud that are looked at
 constexpr double kMaxJump = 0.5;                   // [size] of the centre: one object cannot reach into another
 
 // Evenly spaced rows: sensors deliver points by pixel, so that neighbours in the cloud are neighbours in the image.
@@ -22,6 +22,10 @@ Points thin(const Points& points, Eigen::Index count) {
     thinned.row(i) = points.row(i * points.rows() / count);
   }
   return thinned;
+}
+
+SurfaceCloud thin(const SurfaceCloud& cloud, Eigen::Index count) {
+  return {thin(cloud.points, count), thin(cloud.normals, count)};
 }
 
 // In the median, stray points have no weight.
@@ -39,11 +43,12 @@ Eigen::Vector3d center_of(const Points& points) {
   return center;
 }
 
-Points to_object(const RigidTransform& T_world_object, const Points& points_world) {
+SurfaceCloud to_object(const RigidTransform& T_world_object, const SurfaceCloud& cloud_world) {
   const RigidTransform T_object_world = T_world_object.inverse();
   const Eigen::Matrix3d R = T_object_world.rotation.toRotationMatrix();
-  return ((points_world.cast<double>() * R.transpose()).rowwise() + T_object_world.translation.transpose())
-      .cast<float>();
+  const Eigen::RowVector3d shift = T_object_world.translation.transpose();
+  return {((cloud_world.points.cast<double>() * R.transpose()).rowwise() + shift).cast<float>(),
+          (cloud_world.normals.cast<double>() * R.transpose()).cast<float>()};
 }
 
 // The previous pose, turned as predicted about the cloud's centre and moved with it.
@@ -58,7 +63,8 @@ RigidTransform follow_center(const RigidTransform& T_world_previous, const Rigid
 CloudTracker::CloudTracker(const Points& points_world, const RigidTransform& T_world_object,
                            const CorrespondenceParameters& parameters)
     : parameters_(parameters),
-      reference_(to_object(T_world_object, thin(points_world, kMaxReferenceInput)), parameters),
+      reference_(to_object(T_world_object, estimate_surface(thin(points_world, kMaxReferenceInput), parameters.noise)),
+                 parameters),
       center_world_(center_of(points_world)) {}
 
 std::optional<CloudRegistration> CloudTracker::follow(const Points& points_world,
@@ -71,42 +77,50 @@ std::optional<CloudRegistration> CloudTracker::follow(const Points& points_world
   }
   const RigidTransform T_world_shifted = follow_center(T_world_previous, T_world_predicted, center_world_, center);
   center_world_ = center;
-  CloudRegistration registration = register_cloud(reference_, thin(points_world, parameters_.max_registered_points),
+  const SurfaceCloud cloud_world = surface(points_world);
+  CloudRegistration registration = register_cloud(reference_, thin(cloud_world, parameters_.max_registered_points),
                                                   T_world_predicted, T_world_shifted, parameters_);
   if (!registration.objection.empty()) {
     registration.T_world_object = T_world_shifted;
   }
-  return judge(points_world, registration);
+  return judge(cloud_world, registration);
 }
 
 std::optional<CloudRegistration> CloudTracker::stay(const Points& points_world, const RigidTransform& T_world_object) {
   center_world_ = center_of(points_world);
-  return judge(points_world, measure(points_world, T_world_object));
+  const SurfaceCloud cloud_world = surface(points_world);
+  return judge(cloud_world, measure(cloud_world, T_world_object));
 }
 
 CloudRegistration CloudTracker::learn(const Points& points_world, const RigidTransform& T_world_object) {
   center_world_ = center_of(points_world);
-  const CloudRegistration registration = measure(points_world, T_world_object);
-  grow(points_world, T_world_object);
+  const SurfaceCloud cloud_world = surface(points_world);
+  const CloudRegistration registration = measure(cloud_world, T_world_object);
+  grow(cloud_world, T_world_object);
   return registration;
 }
 
-CloudRegistration CloudTracker::measure(const Points& points_world, const RigidTransform& T_world_object) const {
-  return measure_pose(reference_, thin(points_world, parameters_.max_registered_points), T_world_object, parameters_);
+SurfaceCloud CloudTracker::surface(const Points& points) const {
+  return estimate_surface(thin(points, kMaxReferenceInput), parameters_.noise);
 }
 
-void CloudTracker::grow(const Points& points_world, const RigidTransform& T_world_object) {
-  reference_.grow(to_object(T_world_object, thin(points_world, kMaxReferenceInput)));
+CloudRegistration CloudTracker::measure(const SurfaceCloud& cloud_world, const RigidTransform& T_world_object) const {
+  return measure_pose(reference_, thin(cloud_world, parameters_.max_registered_points), T_world_object, parameters_);
 }
 
-std::optional<CloudRegistration> CloudTracker::judge(const Points& points_world,
+void CloudTracker::grow(const SurfaceCloud& cloud_world, const RigidTransform& T_world_object) {
+  reference_.grow(to_object(T_world_object, cloud_world));
+}
+
+std::optional<CloudRegistration> CloudTracker::judge(const SurfaceCloud& cloud_world,
                                                      const CloudRegistration& registration) {
   if (registration.objection.empty()) {
     failures_ = 0;
-    grow(points_world, registration.T_world_object);
+    grow(cloud_world, registration.T_world_object);
     return registration;
   }
-  failures_ += points_world.rows() >= kMinRegisteredPoints ? 1 : 0;  // a new reference from fewer would be no better
+  failures_ +=
+      cloud_world.points.rows() >= kMinRegisteredPoints ? 1 : 0;  // a new reference from fewer would be no better
   if (failures_ > parameters_.max_failures) {
     return std::nullopt;
   }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer_ros/point_tree.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <nanoflann.hpp>
 #include <utility>
@@ -11,9 +10,6 @@ namespace rigidformer_ros {
 
 namespace {
 
-constexpr int kNormalNeighbors = 9;  // the point itself included
-constexpr float kFlat = 0.1F;        // smallest / middle variance of points on a plane
-constexpr float kSpread = 0.1F;      // middle / largest variance below which they lie on a line
 constexpr int kSpacingNeighbors = 3;
 
 }  // namespace
@@ -39,7 +35,7 @@ class PointTree::Index {
   }
 
  private:
-  static constexpr std::size_t kLeafSize = 8;
+  static constexpr std::size_t kLeafSize = 12;
   using Distance = nanoflann::L2_Simple_Adaptor<float, Index, float, int>;
 
   Points points_;
@@ -66,28 +62,10 @@ void PointTree::nearest(const Eigen::Vector3f& point, int count, std::vector<int
   index_->find(point, static_cast<int>(rows.size()), rows.data(), squared_distances.data());
 }
 
-Points estimate_normals(const PointTree& tree) {
-  const Points& points = tree.points();
-  Points normals = Points::Zero(points.rows(), 3);
-  if (points.rows() < kNormalNeighbors) {
-    return normals;
-  }
-  std::vector<int> rows;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    tree.nearest(points.row(i).transpose(), kNormalNeighbors, rows);
-    Eigen::Matrix<float, kNormalNeighbors, 3> offsets;
-    for (int k = 0; k < kNormalNeighbors; ++k) {
-      offsets.row(k) = points.row(rows[static_cast<std::size_t>(k)]) - points.row(i);
-    }
-    offsets.rowwise() -= offsets.colwise().mean().eval();
-    solver.computeDirect(Eigen::Matrix3f(offsets.transpose() * offsets));
-    const Eigen::Vector3f& variances = solver.eigenvalues();
-    if (variances[0] < kFlat * variances[1] && variances[1] > kSpread * variances[2]) {
-      normals.row(i) = solver.eigenvectors().col(0).transpose();
-    }
-  }
-  return normals;
+int PointTree::find(const Eigen::Vector3f& point, int* rows, float* squared_distances, int count) const {
+  const auto found = static_cast<int>(std::min<Eigen::Index>(count, points().rows()));
+  index_->find(point, found, rows, squared_distances);
+  return found;
 }
 
 std::vector<double> neighbor_spacing(const PointTree& tree) {

@@ -39,7 +39,7 @@ PclCloud::Ptr to_pcl(const Points& points, const Points& normals) {
 struct Views {
   CorrespondenceParameters parameters;
   ShapeCamera camera{"bone", 1.0, 5};
-  ReferenceCloud reference{camera.sample(RigidTransform(), 2000), parameters};
+  ReferenceCloud reference{estimate_surface(camera.sample(RigidTransform(), 2000), parameters.noise), parameters};
   std::vector<RigidTransform> T_world_object;
   std::vector<Points> clouds_world;
 
@@ -78,8 +78,8 @@ void measure(benchmark::State& state, const FindPose& find_pose) {
 
 void by_register_cloud(benchmark::State& state) {
   measure(state, [](std::size_t i) {
-    return register_cloud(views().reference, views().clouds_world[i], RigidTransform(), RigidTransform(),
-                          views().parameters)
+    return register_cloud(views().reference, estimate_surface(views().clouds_world[i], views().parameters.noise),
+                          RigidTransform(), RigidTransform(), views().parameters)
         .T_world_object;
   });
 }

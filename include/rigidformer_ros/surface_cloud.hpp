@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rigidformer_ros/point_tree.hpp"
+
+namespace rigidformer_ros {
+
+/// Points of a surface and how it lies there.
+struct SurfaceCloud {
+  Points points;   ///< [N, 3] m
+  Points normals;  ///< [N, 3] unit, sign arbitrary; zero = none
+};
+
+/// Whether two unit normals of arbitrary sign can be those of one face. Zero fits zero only.
+bool on_same_face(const Eigen::Vector3f& normal_a, const Eigen::Vector3f& normal_b);
+
+/// Normals from each point's neighbours in `points` [N, 3] m, N >= 1: none where these do not lie on a plane. A point
+/// near an edge gets the normal of the face that it lies on as closely as `noise_m` allows.
+SurfaceCloud estimate_surface(const Points& points, double noise_m);
+
+/// Where faces end: unit vectors [N, 3] along the surface, outward; zero elsewhere. A surface that bends away out of
+/// view, by its normals and the object's `size_m`, does not end.
+Points find_borders(const PointTree& tree, const Points& normals, double size_m);
+
+}  // namespace rigidformer_ros
