@@ -216,6 +216,7 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
   SceneState state{to_device(input.state.first, device), to_device(input.state.previous, device),
                    to_device(input.state.current, device)};
   const Tensor centre = model->centre_of_mass(batch, state.current);
+  batch.hidden_points = model->hidden_side(batch, state.current, centre);
   const EngineStep engine = make_engine_step(model->options, batch, centre);
   const RestLimits rest{impl_->options.rest_speed, impl_->options.rest_spin};
   for (int step = 0; step < rollout.num_steps; ++step) {

@@ -13,8 +13,8 @@ struct ObservedHull {
 };
 
 /// Convex hull of the points [N, 3], at least one, around the given centre of mass. Where the centre of the hull lies
-/// far from it, the points are one side of the object only: their mirror images through the centre of mass stand for
-/// the other side.
-ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass);
+/// far from it, the points are one side of the object only: `hidden` [H, 3], or without any the mirror images of the
+/// points through the centre of mass, stand for the other side.
+ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass, const Points& hidden = {});
 
 }  // namespace rigidformer

@@ -51,6 +51,7 @@ struct ModelOptions {
   bool contact_gate = false;             ///< Objects with nothing in reach keep their base motion
   double contact_gate_margin_m = 0.05;   ///< Added to the sum of bounding radii
   bool centre_of_mass_head = false;      ///< Estimate the centre of mass from the cloud (else its centroid)
+  bool hidden_side_head = false;         ///< Estimate the side that no camera sees, for the physics engine
   bool position_feature = false;         ///< x - centre of mass
   bool contact_features = false;         ///< Squashed distances, ground apart, relative motion and partner's material
   bool property_mask = false;            ///< Extra inputs that say which material parameters are known

@@ -11,6 +11,7 @@
 #include "rigidformer/model/centre_of_mass.hpp"
 #include "rigidformer/model/decoder.hpp"
 #include "rigidformer/model/encoder.hpp"
+#include "rigidformer/model/hidden_side.hpp"
 #include "rigidformer/model/position_encoding.hpp"
 
 namespace rigidformer {
@@ -29,6 +30,10 @@ struct RigidFormerImpl : torch::nn::Module {
   /// Centre of mass of every object in its reference frame, [B, K, 3]; needed once per rollout.
   Tensor centre_of_mass(const SceneBatch& batch, const Pose& current);
 
+  /// Points [B, K, N, 3] in the reference frame on the sides that nobody sees, for SceneBatch::hidden_points; undefined
+  /// without hidden_side_head. Needed once per rollout.
+  Tensor hidden_side(const SceneBatch& batch, const Pose& current, const Tensor& centre_reference);
+
   /// One step. centre_reference as returned by centre_of_mass(); `engine_step` is needed by models with engine_motion.
   StepPrediction forward(const SceneBatch& batch, const SceneState& state, const Tensor& centre_reference,
                          const NearestSearch& nearest_search, const EngineStep& engine_step = {});
@@ -41,6 +46,7 @@ struct RigidFormerImpl : torch::nn::Module {
   std::optional<double> fixed_engine_share;  ///< Instead of the learned one: 0 = network alone, 1 = engine alone
   torch::ScalarType compute_type = torch::kFloat32;
   CentreOfMassHead centre_of_mass_head{nullptr};
+  HiddenSideHead hidden_side_head{nullptr};
   PointEncoder encoder{nullptr};
   TokenPositionEncoder position_encoder{nullptr};
   ObjectDecoder decoder{nullptr};

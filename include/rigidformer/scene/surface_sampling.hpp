@@ -18,4 +18,7 @@ struct SurfaceSamples {
 /// rejected. The same seed gives the same points. Throws std::invalid_argument for a shape without area.
 SurfaceSamples sample_surface(const Shape& shape, int count, std::uint64_t seed);
 
+/// All mesh vertices with the area-weighted mean of the normals of the triangles around them.
+SurfaceSamples vertices_with_normals(const Shape& shape);
+
 }  // namespace rigidformer

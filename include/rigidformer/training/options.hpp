@@ -16,7 +16,7 @@ namespace rigidformer {
 /// Number of unrolled steps from a given share of the training on.
 struct UnrollStage {
   double from = 0.0;  ///< Share of all iterations, in [0, 1]
-  int steps = 1;
+  int steps = 1;      ///< 0 = learn what is seen (centre of mass, hidden side), not how it moves
 };
 
 /// §3.4 and App. C.2. Field names are the YAML keys under `loss:`.
@@ -27,6 +27,7 @@ struct LossOptions {
   std::string residual_unit = "dt2";  ///< Acceleration residuals divided by dt2 (paper) or dt (velocity change)
   double beta = 1.0;                  ///< Where Smooth L1 turns from square to line
   double centre_of_mass_weight = 0.0;  ///< Smooth L1 of the estimated centre of mass, in bounding radii
+  double hidden_side_weight = 1.0;     ///< Smooth L1 of the completed hull's extent, in bounding radii
 };
 
 /// App. C.1. Field names are the YAML keys under `optimizer:`.

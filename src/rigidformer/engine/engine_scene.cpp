@@ -26,13 +26,22 @@ BulletSettings settings_of(double time_step_s, double gravity) {
   return settings;
 }
 
-/// The valid points [N, 3] of object `k` of scene `b`.
-Points points_of(const SceneBatch& batch, int64_t b, int64_t k) {
-  const bool has_surface = batch.surface_points.defined();
-  const Tensor& cloud = has_surface ? batch.surface_points : batch.points_reference;
-  const Tensor& mask = has_surface ? batch.surface_mask : batch.point_mask;
-  const Tensor points = cloud[b][k].index({mask[b][k]}).to(torch::kFloat32).contiguous();
+/// The points [N, 3] of a cloud [M, 3] that a mask [M] keeps.
+Points to_points(const Tensor& cloud, const Tensor& mask) {
+  const Tensor points = cloud.index({mask}).to(torch::kFloat32).contiguous();
   return Eigen::Map<const Points>(points.data_ptr<float>(), points.size(0), 3);
+}
+
+/// What was seen of object `k` of scene `b`.
+Points seen_points(const SceneBatch& batch, int64_t b, int64_t k) {
+  if (batch.surface_points.defined()) return to_points(batch.surface_points[b][k], batch.surface_mask[b][k]);
+  return to_points(batch.points_reference[b][k], batch.point_mask[b][k]);
+}
+
+/// What is guessed beside it; may be empty.
+Points hidden_points(const SceneBatch& batch, int64_t b, int64_t k) {
+  if (!batch.hidden_points.defined()) return {};
+  return to_points(batch.hidden_points[b][k], batch.point_mask[b][k]);
 }
 
 /// Material with stand-ins for what is unknown.
@@ -74,7 +83,8 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
 }
 
 EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, int64_t b, const Body& body) {
-  const ObservedHull observed = observe_hull(points_of(batch, b, body.object), body.centre_reference);
+  const ObservedHull observed =
+      observe_hull(seen_points(batch, b, body.object), body.centre_reference, hidden_points(batch, b, body.object));
   return {observed.hull, properties_of(batch, b, body.object, observed.volume_m3)};
 }
 

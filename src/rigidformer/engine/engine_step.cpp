@@ -19,8 +19,8 @@ namespace {
 /// Everything the engine reads: one transfer per tensor instead of one per number.
 SceneBatch on_cpu(SceneBatch batch) {
   for (Tensor* tensor : {&batch.points_reference, &batch.point_mask, &batch.object_mask, &batch.surface_points,
-                         &batch.surface_mask, &batch.properties, &batch.properties_known, &batch.dynamic_mask,
-                         &batch.step_size, &batch.ground_height, &batch.gravity}) {
+                         &batch.surface_mask, &batch.hidden_points, &batch.properties, &batch.properties_known,
+                         &batch.dynamic_mask, &batch.step_size, &batch.ground_height, &batch.gravity}) {
     if (tensor->defined()) *tensor = tensor->to(torch::kCPU);
   }
   return batch;

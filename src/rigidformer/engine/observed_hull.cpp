@@ -10,20 +10,22 @@ namespace {
 
 constexpr double kOneSided = 0.15;  // distance of the two centres, in radii of the cloud around its centre of mass
 
-Points with_mirror_images(const Points& points) {
-  Points both(2 * points.rows(), 3);
-  both << points, -points;
+Points joined(const Points& a, const Points& b) {
+  Points both(a.rows() + b.rows(), 3);
+  both << a, b;
   return both;
 }
 
 }  // namespace
 
-ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass) {
-  const Points centred = with_thickness(points.rowwise() - centre_of_mass.cast<float>().transpose());
+ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass, const Points& hidden) {
+  const Eigen::RowVector3f centre = centre_of_mass.cast<float>().transpose();
+  const Points centred = with_thickness(points.rowwise() - centre);
   ObservedHull observed{convex_hull(centred), 0.0};
   MeshVolume measured = measure_volume(observed.hull);
   if (measured.centroid.norm() > kOneSided * static_cast<double>(centred.rowwise().norm().maxCoeff())) {
-    observed.hull = convex_hull(with_mirror_images(centred));
+    const Points other_side = hidden.rows() > 0 ? Points(hidden.rowwise() - centre) : Points(-centred);
+    observed.hull = convex_hull(joined(centred, other_side));
     measured = measure_volume(observed.hull);
   }
   observed.volume_m3 = measured.volume_m3;

@@ -67,6 +67,7 @@ void visit_fields(Options& o, Visitor&& visit) {
   visit("velocity_output", o.velocity_output);
   visit("end_velocity_output", o.end_velocity_output);
   visit("engine_motion", o.engine_motion);
+  visit("hidden_side_head", o.hidden_side_head);
 }
 
 void check(bool condition, const std::string& field, double value, const std::string& bound) {
@@ -124,6 +125,7 @@ void use_contact_aware_recipe(ModelOptions& o) {
   o.velocity_output = true;
   o.end_velocity_output = true;
   o.engine_motion = true;
+  o.hidden_side_head = true;
 }
 
 ModelOptions small_preset() {
@@ -169,7 +171,9 @@ bool has_fraction(const Json& value) {
 }
 
 /// Options that older files do not hold; they are off there.
-bool is_newer(const std::string& name) { return name == "end_velocity_output" || name == "engine_motion"; }
+bool is_newer(const std::string& name) {
+  return name == "end_velocity_output" || name == "engine_motion" || name == "hidden_side_head";
+}
 
 /// Strict: neither 64.5 nor true passes for an integer.
 template <typename T>
@@ -239,6 +243,7 @@ void validate(const ModelOptions& o) {
   check(o.contact_gate_margin_m >= 0.0, "contact_gate_margin_m", o.contact_gate_margin_m, ">= 0");
   check(!o.engine_motion || (o.inertial_base_motion && o.velocity_output && o.end_velocity_output), "engine_motion",
         o.engine_motion, "off without inertial_base_motion, velocity_output and end_velocity_output");
+  check(!o.hidden_side_head || o.engine_motion, "hidden_side_head", o.hidden_side_head, "off without engine_motion");
   check(approximate_weights(o) <= kMaxWeights, "number of weights", approximate_weights(o), "at most 1e9");
 }
 

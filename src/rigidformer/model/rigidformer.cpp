@@ -35,6 +35,7 @@ RigidFormerImpl::RigidFormerImpl(const ModelOptions& model_options) : options(mo
   if (options.centre_of_mass_head) {
     centre_of_mass_head = register_module("centre_of_mass_head", CentreOfMassHead());
   }
+  if (options.hidden_side_head) hidden_side_head = register_module("hidden_side_head", HiddenSideHead());
   encoder = register_module("encoder", PointEncoder(options));
   position_encoder = register_module("position_encoder", TokenPositionEncoder(options));
   decoder = register_module("decoder", ObjectDecoder(options, 2 + options.control_dim));
@@ -47,6 +48,13 @@ Tensor RigidFormerImpl::centre_of_mass(const SceneBatch& batch, const Pose& curr
   const Tensor centre_world = centre_of_mass_head(current.apply(batch.points_reference), batch.point_mask);
   const Tensor offset = (centre_world - current.translation).unsqueeze(-1);
   return torch::matmul(current.rotation.transpose(-1, -2), offset).squeeze(-1);
+}
+
+Tensor RigidFormerImpl::hidden_side(const SceneBatch& batch, const Pose& current, const Tensor& centre_reference) {
+  if (hidden_side_head.is_empty()) return {};
+  const Tensor centre_world = current.apply(centre_reference.unsqueeze(2)).squeeze(2);
+  const Tensor hidden_world = hidden_side_head(current.apply(batch.points_reference), batch.point_mask, centre_world);
+  return torch::matmul(hidden_world - current.translation.unsqueeze(2), current.rotation);
 }
 
 StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneState& state,

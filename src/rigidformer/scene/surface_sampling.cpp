@@ -118,4 +118,23 @@ SurfaceSamples sample_surface(const Shape& shape, int count, std::uint64_t seed)
   return samples;
 }
 
+SurfaceSamples vertices_with_normals(const Shape& shape) {
+  const Points points = shape.vertices();
+  Points normals = Points::Zero(points.rows(), 3);
+  Eigen::Index first = 0;
+  for (const ConvexPart& part : shape.parts) {
+    for (Eigen::Index f = 0; f < part.triangles.rows(); ++f) {
+      const Eigen::RowVector3i corner = part.triangles.row(f);
+      const Eigen::RowVector3f edge_a = part.vertices.row(corner[1]) - part.vertices.row(corner[0]);
+      const Eigen::RowVector3f edge_b = part.vertices.row(corner[2]) - part.vertices.row(corner[0]);
+      for (int k = 0; k < 3; ++k) {
+        normals.row(first + corner[k]) += edge_a.cross(edge_b);
+      }
+    }
+    first += part.vertices.rows();
+  }
+  normals.rowwise().normalize();
+  return {points, normals};
+}
+
 }  // namespace rigidformer

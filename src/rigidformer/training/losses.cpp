@@ -8,12 +8,20 @@
 namespace rigidformer {
 namespace {
 
+constexpr int64_t kDirections = 64;
+
 /// Smooth L1 (Eq. 7) of a residual [B, K, *, 3]: summed over coordinates, mean over the rest for valid objects.
 Tensor smooth_l1(const Tensor& residual, const Tensor& object_mask, double beta) {
   const Tensor size = residual.abs();
   const Tensor value = torch::where(size < beta, 0.5 * residual.square() / beta, size - 0.5 * beta).sum(-1).mean(-1);
   const Tensor weight = object_mask.to(residual.scalar_type());
   return (value * weight).sum() / weight.sum().clamp_min(1.0);
+}
+
+/// Support function of clouds [B, K, N, 3]: how far they reach into directions [D, 3], [B, K, D].
+Tensor reach(const Tensor& points, const Tensor& mask, const Tensor& directions) {
+  const Tensor along = torch::matmul(points, directions.t());
+  return along.masked_fill(mask.logical_not().unsqueeze(-1), -1e6).amax(2);
 }
 
 }  // namespace
@@ -48,14 +56,30 @@ Tensor centre_of_mass_loss(const LossOptions& options, const SceneBatch& batch, 
   return options.centre_of_mass_weight * smooth_l1(residual.unsqueeze(2), batch.object_mask, 0.1);
 }
 
+Tensor hidden_side_loss(const LossOptions& options, const WindowBatch& windows, const Tensor& hidden_points) {
+  const SceneBatch& scene = windows.scene;
+  const Tensor drawn = torch::randn({kDirections, 3}, hidden_points.options());
+  const Tensor directions = drawn / drawn.norm(2, -1, true);
+  const Tensor truth = reach(windows.whole_surface, windows.whole_mask, directions);
+  const Tensor seen = reach(scene.surface_points, scene.surface_mask, directions);
+  const Tensor completed = torch::maximum(seen, reach(hidden_points, scene.point_mask, directions));
+  const Tensor centre = torch::zeros_like(scene.properties);  // of mass, the origin of the reference frame
+  const Tensor radius = bounding_radius(windows.whole_surface, windows.whole_mask, centre).clamp_min(1e-3);
+  const Tensor residual =
+      ((completed - truth) / radius.unsqueeze(-1)).masked_fill(scene.object_mask.logical_not().unsqueeze(-1), 0.0);
+  return options.hidden_side_weight * smooth_l1(residual.unsqueeze(-1), scene.object_mask, 0.05);
+}
+
 Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowBatch& windows,
                    const NearestSearch& nearest_search) {
-  const SceneBatch& scene = windows.scene;
+  SceneBatch scene = windows.scene;
   SceneState state{windows.poses[0], windows.poses[0], windows.poses[1]};
   const Tensor centre = model->centre_of_mass(scene, state.current);
-  const EngineStep engine = make_engine_step(model->options, scene, centre);
-  Tensor loss = torch::zeros({}, scene.points_reference.options());
+  const Tensor hidden = model->hidden_side(scene, state.current, centre.detach());
+  if (hidden.defined()) scene.hidden_points = hidden.detach();
   const size_t num_steps = windows.poses.size() - 2;
+  const EngineStep engine = num_steps > 0 ? make_engine_step(model->options, scene, centre) : EngineStep();
+  Tensor loss = torch::zeros({}, scene.points_reference.options());
   for (size_t step = 0; step < num_steps; ++step) {
     // The centre of mass learns from its own loss alone: it must not serve as a free parameter of the motion.
     const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search, engine);
@@ -66,8 +90,10 @@ Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowB
     }
     state = advance(scene, state, prediction);
   }
-  loss = loss / static_cast<double>(num_steps);
-  return options.centre_of_mass_weight > 0.0 ? loss + centre_of_mass_loss(options, scene, centre) : loss;
+  if (num_steps > 0) loss = loss / static_cast<double>(num_steps);
+  if (options.centre_of_mass_weight > 0.0) loss = loss + centre_of_mass_loss(options, scene, centre);
+  if (hidden.defined()) loss = loss + hidden_side_loss(options, windows, hidden);
+  return loss;
 }
 
 }  // namespace rigidformer

@@ -82,6 +82,7 @@ void read_model(Section section, ModelOptions& model) {
   section.read("velocity_output", model.velocity_output);
   section.read("end_velocity_output", model.end_velocity_output);
   section.read("engine_motion", model.engine_motion);
+  section.read("hidden_side_head", model.hidden_side_head);
   section.reject_unknown();
   validate(model);
 }
@@ -125,6 +126,7 @@ void read_loss(Section section, LossOptions& loss) {
   section.read("residual_unit", loss.residual_unit);
   section.read("beta", loss.beta);
   section.read("centre_of_mass_weight", loss.centre_of_mass_weight);
+  section.read("hidden_side_weight", loss.hidden_side_weight);
   section.reject_unknown();
 }
 
@@ -196,7 +198,7 @@ void validate(const TrainingOptions& o) {
   require(o.point_sets.sets_per_shape >= 2 && o.point_sets.points_per_set >= o.augmentation.max_points,
           "'point_sets' needs at least 2 sets per shape and points_per_set of at least augmentation.max_points");
   require(!o.unroll.empty() && o.unroll.front().from == 0.0, "'unroll' must start with from: 0");
-  for (const UnrollStage& stage : o.unroll) require(stage.steps >= 1, "'unroll[].steps' must be at least 1");
+  for (const UnrollStage& stage : o.unroll) require(stage.steps >= 0, "'unroll[].steps' must not be negative");
 }
 
 }  // namespace

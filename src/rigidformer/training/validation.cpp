@@ -46,12 +46,13 @@ Pose ballistic(const WindowBatch& windows, int num_steps) {
 }
 
 Pose roll_out(RigidFormer& model, const WindowBatch& windows, int num_steps) {
+  SceneBatch scene = windows.scene;
   SceneState state{windows.poses[0], windows.poses[0], windows.poses[1]};
-  const Tensor centre = model->centre_of_mass(windows.scene, state.current);
-  const EngineStep engine = make_engine_step(model->options, windows.scene, centre);
+  const Tensor centre = model->centre_of_mass(scene, state.current);
+  scene.hidden_points = model->hidden_side(scene, state.current, centre);
+  const EngineStep engine = make_engine_step(model->options, scene, centre);
   for (int k = 0; k < num_steps; ++k) {
-    const StepPrediction prediction = model->forward(windows.scene, state, centre, nearest_by_distance_matrix, engine);
-    state = advance(windows.scene, state, prediction);
+    state = advance(scene, state, model->forward(scene, state, centre, nearest_by_distance_matrix, engine));
   }
   return state.current;
 }

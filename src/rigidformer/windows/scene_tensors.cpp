@@ -15,27 +15,26 @@ namespace rigidformer {
 namespace {
 
 /// Writes one point set in farthest-point order into row (shape, set).
-void store_point_set(SceneTensors& tensors, int64_t shape, int64_t set, const Points& points, const Points* normals) {
+void store_point_set(SceneTensors& tensors, int64_t shape, int64_t set, const SurfaceSamples& samples) {
   const auto capacity = static_cast<int>(tensors.shape_points.size(2));
-  const std::vector<int> order = farthest_point_order(points, capacity);
+  const std::vector<int> order = farthest_point_order(samples.points, capacity);
   const Tensor set_points = tensors.shape_points[shape][set], set_normals = tensors.shape_normals[shape][set];
   auto rows = set_points.accessor<float, 2>();
   auto normal_rows = set_normals.accessor<float, 2>();
   for (size_t i = 0; i < order.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
-      rows[static_cast<int64_t>(i)][axis] = points(order[i], axis);
-      if (normals != nullptr) normal_rows[static_cast<int64_t>(i)][axis] = (*normals)(order[i], axis);
+      rows[static_cast<int64_t>(i)][axis] = samples.points(order[i], axis);
+      normal_rows[static_cast<int64_t>(i)][axis] = samples.normals(order[i], axis);
     }
   }
   tensors.shape_point_count[shape][set] = static_cast<int64_t>(order.size());
 }
 
 void store_shape(SceneTensors& tensors, int64_t index, const Shape& shape, const PointSetOptions& options) {
-  store_point_set(tensors, index, 0, shape.vertices(), nullptr);
+  store_point_set(tensors, index, 0, vertices_with_normals(shape));
   for (int set = 1; set < options.sets_per_shape; ++set) {
-    const SurfaceSamples samples =
-        sample_surface(shape, options.points_per_set, options.seed * 1000 + static_cast<std::uint64_t>(set));
-    store_point_set(tensors, index, set, samples.points, &samples.normals);
+    const auto seed = options.seed * 1000 + static_cast<std::uint64_t>(set);
+    store_point_set(tensors, index, set, sample_surface(shape, options.points_per_set, seed));
   }
 }
 

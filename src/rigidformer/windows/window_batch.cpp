@@ -63,10 +63,9 @@ Tensor draw_object_order(const Tensor& object_mask, double probability, const to
 }
 
 struct PointCandidates {
-  Tensor points;       ///< [B, K, M, 3] body frame
-  Tensor normals;      ///< [B, K, M, 3]
-  Tensor usable;       ///< [B, K, M] bool
-  Tensor has_normals;  ///< [B, 1, 1] bool, false for vertex sets
+  Tensor points;   ///< [B, K, M, 3] body frame
+  Tensor normals;  ///< [B, K, M, 3]
+  Tensor usable;   ///< [B, K, M] bool
 };
 
 PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape, const Tensor& size,
@@ -82,7 +81,6 @@ PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape
   candidates.normals = tensors.shape_normals.flatten(0, 1).index({row});
   const Tensor count = tensors.shape_point_count.flatten(0, 1).index({row}).unsqueeze(-1);
   candidates.usable = torch::arange(M, shape.options()) < count;
-  candidates.has_normals = use_surface.unsqueeze(-1);
   return candidates;
 }
 
@@ -187,15 +185,17 @@ void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const Augm
 
 /// The clouds as observed at `pose`: a surface sampling, perhaps from one side only, perhaps noisy.
 void observe_points(const SceneTensors& tensors, const WindowRows& rows, const Pose& pose,
-                    const AugmentationOptions& options, const TensorRandom& random, SceneBatch& scene) {
+                    const AugmentationOptions& options, const TensorRandom& random, WindowBatch& batch) {
   const int64_t B = rows.order.size(0);
+  SceneBatch& scene = batch.scene;
   const auto like = tensors.poses.options();
   PointCandidates candidates = draw_point_sets(tensors, per_object(tensors.shape, rows), per_object(tensors.size, rows),
                                                options.vertex_probability, random);
+  batch.whole_surface = candidates.points;
+  batch.whole_mask = candidates.usable.logical_and(scene.object_mask.unsqueeze(-1));
   Tensor usable = candidates.usable;
   if (options.view_probability > 0.0) {
-    const Tensor whole =
-        (random.uniform({B, 1, 1}, like) >= options.view_probability).logical_or(candidates.has_normals.logical_not());
+    const Tensor whole = random.uniform({B, 1, 1}, like) >= options.view_probability;
     usable = usable.logical_and(facing_camera(candidates, pose, random).logical_or(whole));
   }
   if (options.noise_m > 0.0) {
@@ -236,7 +236,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   scene.ground_height = torch::zeros({B}, like);
   scene.gravity = tensors.gravity.index({rows.scene});
   draw_motion(tensors, rows, options, random, batch);
-  observe_points(tensors, rows, batch.poses[1], options, random, scene);
+  observe_points(tensors, rows, batch.poses[1], options, random, batch);
   const Tensor start_score = random_anchors ? random.uniform(scene.point_mask.sizes(), like) : Tensor();
   scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors, start_score);
   return batch;

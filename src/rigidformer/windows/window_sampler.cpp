@@ -80,7 +80,7 @@ Window WindowSampler::draw(int num_steps, std::mt19937_64& random) const {
     return {uniform_int(0, num_scenes_ - 1, random), uniform_int(0, last_start, random), s};
   }
   const ContactEvent& event = (*list)[static_cast<size_t>(uniform_int(0, static_cast<int>(list->size()) - 1, random))];
-  const int lead = s + uniform_int(0, s * num_steps - 1, random);
+  const int lead = s + uniform_int(0, std::max(s * num_steps - 1, 0), random);
   return {event.scene, std::clamp(event.frame - lead, 0, last_start), s};
 }
 

@@ -48,6 +48,21 @@ TEST(ObservedHull, OneSideIsCompletedThroughTheCentreOfMass) {
   EXPECT_NEAR(observed.hull.vertices.minCoeff(), -0.5, 1e-6);
 }
 
+TEST(ObservedHull, GuessedPointsStandForTheOtherSideInsteadOfMirrorImages) {
+  const auto top = [](int axis, float side) { return axis == 2 && side > 0.0F; };
+  Points tip(1, 3);
+  tip << kCentre.cast<float>().transpose() - Eigen::RowVector3f(0.0F, 0.0F, 1.0F);
+  const ObservedHull pyramid = observe_hull(cube_faces(top), kCentre, tip);
+  EXPECT_NEAR(pyramid.volume_m3, 1.5 / 3.0, 0.02);
+  EXPECT_NEAR(pyramid.hull.vertices.col(2).minCoeff(), -1.0, 1e-6);
+}
+
+TEST(ObservedHull, GuessedPointsDoNotTouchACompleteCloud) {
+  Points far(1, 3);
+  far << kCentre.cast<float>().transpose() + Eigen::RowVector3f(5.0F, 0.0F, 0.0F);
+  EXPECT_NEAR(observe_hull(cube_faces([](int, float) { return true; }), kCentre, far).volume_m3, 1.0, 1e-5);
+}
+
 TEST(ObservedHull, OneFaceIsEnough) {
   const ObservedHull observed =
       observe_hull(cube_faces([](int axis, float side) { return axis == 2 && side > 0.0F; }), kCentre);

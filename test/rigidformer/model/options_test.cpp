@@ -98,9 +98,9 @@ TEST(ModelOptionsTest, PaperPresetHasTheNumbersOfTheText) {
   EXPECT_EQ(o.num_anchors, 4);
   EXPECT_EQ(o.scales, (std::vector<int>{0, 1, 2, 4}));
   EXPECT_EQ(o.dropout, 0.1);
-  for (const bool beyond :
-       {o.inertial_base_motion, o.contact_gate, o.centre_of_mass_head, o.position_feature, o.contact_features,
-        o.property_mask, o.own_token_in_query, o.velocity_output, o.end_velocity_output, o.engine_motion}) {
+  for (const bool beyond : {o.inertial_base_motion, o.contact_gate, o.centre_of_mass_head, o.position_feature,
+                            o.contact_features, o.property_mask, o.own_token_in_query, o.velocity_output,
+                            o.end_velocity_output, o.engine_motion, o.hidden_side_head}) {
     EXPECT_FALSE(beyond);
   }
 }
@@ -137,7 +137,7 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
   for (const auto& [key, value] : good.items()) {
     Json json = good;
     json.erase(key);
-    if (key == "end_velocity_output" || key == "engine_motion") {
+    if (key == "end_velocity_output" || key == "engine_motion" || key == "hidden_side_head") {
       EXPECT_FALSE(model_options_from_json(json.dump()).end_velocity_output) << "older files do not hold " << key;
     } else {
       EXPECT_NE(refusal(json).find(key), std::string::npos) << key;
@@ -199,7 +199,8 @@ TEST(ModelOptionsTest, ValuesOutOfRangeAreRefusedByName) {
       {"predictor_layers_per_scale", [](ModelOptions& o) { o.predictor_layers_per_scale = 0; }},
       {"head_hidden", [](ModelOptions& o) { o.head_hidden = 0; }},
       {"contact_gate_margin_m", [](ModelOptions& o) { o.contact_gate_margin_m = -0.1; }},
-      {"engine_motion", [](ModelOptions& o) { o.engine_motion = true; }}};
+      {"engine_motion", [](ModelOptions& o) { o.engine_motion = true; }},
+      {"hidden_side_head", [](ModelOptions& o) { o.hidden_side_head = true; }}};
   for (const auto& [field, change] : wrong) {
     ModelOptions options = model_preset("tiny");
     change(options);

@@ -69,6 +69,15 @@ TEST(SurfaceSampling, ShapesWithoutAreaAreRefused) {
   EXPECT_EQ(sample_surface(kBox, 0, 0).points.rows(), 0);
 }
 
+TEST(SurfaceSampling, NormalsOfVerticesPointAwayFromTheSolid) {
+  const SurfaceSamples corners = vertices_with_normals(kBox);
+  ASSERT_EQ(corners.points.rows(), 8);
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    EXPECT_NEAR(corners.normals.row(i).norm(), 1.0F, 1e-5F);
+    EXPECT_GT(corners.normals.row(i).dot(corners.points.row(i)), 0.0F);
+  }
+}
+
 TEST(Shape, VerticesOfAllPartsInOrder) {
   const Shape shape{"two", 1.0, {box({0, 0, 0}, {1, 1, 1}), box({2, 2, 2}, {3, 3, 3})}};
   const Points vertices = shape.vertices();

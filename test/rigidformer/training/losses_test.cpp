@@ -95,9 +95,46 @@ TEST(CentreOfMassLoss, CountsInBoundingRadii) {
   EXPECT_NEAR(loss(0.1), 3.0 * 0.5 * 0.05 * 0.05 / 0.1, 1e-9);  // on the square
 }
 
+/// A ball of unit radius of which the upper half is seen, in double precision.
+WindowBatch half_a_ball() {
+  torch::manual_seed(6);
+  const Tensor drawn = torch::randn({1, 1, 2000, 3}, torch::kFloat64);
+  WindowBatch windows;
+  windows.whole_surface = drawn / drawn.norm(2, -1, true);
+  windows.whole_mask = torch::ones({1, 1, 2000}, torch::kBool);
+  SceneBatch& scene = windows.scene;
+  scene.surface_points = windows.whole_surface;
+  scene.surface_mask = windows.whole_surface.select(-1, 2) > 0.0;
+  scene.point_mask = torch::ones({1, 1, 2000}, torch::kBool);
+  scene.object_mask = torch::ones({1, 1}, torch::kBool);
+  scene.properties = torch::zeros({1, 1, 3}, torch::kFloat64);
+  return windows;
+}
+
+TEST(HiddenSideLoss, CountsHowFarTheCompletedHullIsFromTheWhole) {
+  WindowBatch windows = half_a_ball();
+  LossOptions options;
+  const auto loss = [&](const Tensor& hidden) { return hidden_side_loss(options, windows, hidden).item<double>(); };
+  const double nothing_guessed = loss(torch::zeros_like(windows.whole_surface));
+  const double mirrored = loss(-windows.whole_surface);
+  EXPECT_LT(mirrored, 1e-2 * nothing_guessed);
+  EXPECT_GT(loss(-2.0 * windows.whole_surface), nothing_guessed) << "reaching out too far costs too";
+  EXPECT_EQ(loss(windows.whole_surface), 0.0);
+  options.hidden_side_weight = 3.0;
+  torch::manual_seed(1);
+  const double weighted = loss(torch::zeros_like(windows.whole_surface));
+  options.hidden_side_weight = 1.0;
+  torch::manual_seed(1);
+  EXPECT_NEAR(weighted, 3.0 * loss(torch::zeros_like(windows.whole_surface)), 1e-9);
+  windows.scene.object_mask.fill_(false);
+  EXPECT_EQ(loss(torch::zeros_like(windows.whole_surface)), 0.0);
+}
+
 /// A window whose truth is the rollout of the model itself, with the last step missed by `miss` metres along x.
 WindowBatch own_rollout(RigidFormer& model, const RandomScene& scene, int num_steps, double miss) {
-  WindowBatch windows{scene.batch, {scene.state.previous, scene.state.current}, {}};
+  WindowBatch windows;
+  windows.scene = scene.batch;
+  windows.poses = {scene.state.previous, scene.state.current};
   SceneState state{scene.state.previous, scene.state.previous, scene.state.current};
   for (int step = 0; step < num_steps; ++step) {
     const StepPrediction prediction = predict(model, {scene.batch, state});

@@ -155,7 +155,7 @@ TEST_F(TrainingOptionsTest, ValuesOutOfRangeAreRefusedByKey) {
       {"optimizer: {ema_decay: 1}", "optimizer.ema_decay"},
       {"unroll: []", "unroll"},
       {"unroll: [{from: 0.5, steps: 1}]", "unroll"},
-      {"unroll: [{from: 0, steps: 0}]", "unroll[].steps"},
+      {"unroll: [{from: 0, steps: -1}]", "unroll[].steps"},
       {"model: {preset: huge}", "huge"},
       {"model: {position_encoding: rope}", "rope"},
       {"model: {num_anchors: 2}", "num_anchors"}};
