@@ -35,7 +35,7 @@ struct SceneBatch {
   Tensor object_mask;       ///< [B, K] bool, true = an object is there
   Tensor surface_points;    ///< [B, K, M, 3] m, all that was seen, for the engine; undefined = points_reference
   Tensor surface_mask;      ///< [B, K, M] bool
-  Tensor hidden_points;     ///< [B, K, N, 3] m, guessed on the sides that nobody sees; valid as points_reference is
+  Tensor hidden_points;     ///< [B, K, P, 3] m, guessed on the sides that nobody sees; valid as the first points are
   Tensor anchor_index;      ///< [B, K, A] int64, which points are the anchors
   Tensor properties;        ///< [B, K, 3] mass [kg], friction, restitution; 0 where unknown
   Tensor properties_known;  ///< [B, K, 3] 1 where known, else 0

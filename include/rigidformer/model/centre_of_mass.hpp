@@ -13,6 +13,10 @@ Tensor centroid(const Tensor& points, const Tensor& point_mask);
 /// Largest distance of a valid point from `centre` [B, K, 3]: bounding radius [B, K] in m.
 Tensor bounding_radius(const Tensor& points, const Tensor& point_mask, const Tensor& centre);
 
+/// The heads that estimate what an object is look at this many points of its cloud, the first in farthest-point order:
+/// the features they pool are then alike for clouds of any density.
+constexpr int64_t kShapePoints = 96;
+
 /// Estimates where the centre of mass lies inside a possibly partial cloud: a small PointNet on the cloud in units of
 /// its own radius, so that the estimate scales with the object. Beyond the paper, which needs complete clouds.
 struct CentreOfMassHeadImpl : torch::nn::Module {

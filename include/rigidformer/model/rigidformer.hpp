@@ -30,7 +30,7 @@ struct RigidFormerImpl : torch::nn::Module {
   /// Centre of mass of every object in its reference frame, [B, K, 3]; needed once per rollout.
   Tensor centre_of_mass(const SceneBatch& batch, const Pose& current);
 
-  /// Points [B, K, N, 3] in the reference frame on the sides that nobody sees, for SceneBatch::hidden_points; undefined
+  /// Points [B, K, P, 3] in the reference frame on the sides that nobody sees, for SceneBatch::hidden_points; undefined
   /// without hidden_side_head. Needed once per rollout.
   Tensor hidden_side(const SceneBatch& batch, const Pose& current, const Tensor& centre_reference);
 

@@ -41,7 +41,8 @@ Points seen_points(const SceneBatch& batch, int64_t b, int64_t k) {
 /// What is guessed beside it; may be empty.
 Points hidden_points(const SceneBatch& batch, int64_t b, int64_t k) {
   if (!batch.hidden_points.defined()) return {};
-  return to_points(batch.hidden_points[b][k], batch.point_mask[b][k]);
+  const int64_t P = batch.hidden_points.size(2);
+  return to_points(batch.hidden_points[b][k], batch.point_mask[b][k].slice(0, 0, P));
 }
 
 /// Material with stand-ins for what is unknown.

@@ -8,7 +8,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kOneSided = 0.15;  // distance of the two centres, in radii of the cloud around its centre of mass
+constexpr double kOneSided = 0.10;  // distance of the two centres, in radii of the cloud around its centre of mass
 
 Points joined(const Points& a, const Points& b) {
   Points both(a.rows() + b.rows(), 3);

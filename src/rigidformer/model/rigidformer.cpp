@@ -22,6 +22,15 @@ Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
   return torch::cat({s, s.square(), c}, -1);
 }
 
+/// The points [B, K, P, 3] that tell what an object is, in world coordinates, and which of them are valid.
+struct ShapePoints {
+  Tensor world, mask;
+};
+
+ShapePoints shape_points(const SceneBatch& batch, const Pose& current) {
+  return {current.apply(batch.points_reference.slice(2, 0, kShapePoints)), batch.point_mask.slice(2, 0, kShapePoints)};
+}
+
 /// One Newton step towards the nearest rotation. Products of rotations alone would let rounding errors grow
 /// exponentially: each step multiplies them by 1 + sqrt(2).
 Tensor orthonormalized(const Tensor& R) {
@@ -45,7 +54,8 @@ RigidFormerImpl::RigidFormerImpl(const ModelOptions& model_options) : options(mo
 
 Tensor RigidFormerImpl::centre_of_mass(const SceneBatch& batch, const Pose& current) {
   if (centre_of_mass_head.is_empty()) return centroid(batch.points_reference, batch.point_mask);
-  const Tensor centre_world = centre_of_mass_head(current.apply(batch.points_reference), batch.point_mask);
+  const ShapePoints points = shape_points(batch, current);
+  const Tensor centre_world = centre_of_mass_head(points.world, points.mask);
   const Tensor offset = (centre_world - current.translation).unsqueeze(-1);
   return torch::matmul(current.rotation.transpose(-1, -2), offset).squeeze(-1);
 }
@@ -53,7 +63,8 @@ Tensor RigidFormerImpl::centre_of_mass(const SceneBatch& batch, const Pose& curr
 Tensor RigidFormerImpl::hidden_side(const SceneBatch& batch, const Pose& current, const Tensor& centre_reference) {
   if (hidden_side_head.is_empty()) return {};
   const Tensor centre_world = current.apply(centre_reference.unsqueeze(2)).squeeze(2);
-  const Tensor hidden_world = hidden_side_head(current.apply(batch.points_reference), batch.point_mask, centre_world);
+  const ShapePoints points = shape_points(batch, current);
+  const Tensor hidden_world = hidden_side_head(points.world, points.mask, centre_world);
   return torch::matmul(hidden_world - current.translation.unsqueeze(2), current.rotation);
 }
 

@@ -62,7 +62,8 @@ Tensor hidden_side_loss(const LossOptions& options, const WindowBatch& windows, 
   const Tensor directions = drawn / drawn.norm(2, -1, true);
   const Tensor truth = reach(windows.whole_surface, windows.whole_mask, directions);
   const Tensor seen = reach(scene.surface_points, scene.surface_mask, directions);
-  const Tensor completed = torch::maximum(seen, reach(hidden_points, scene.point_mask, directions));
+  const Tensor completed =
+      torch::maximum(seen, reach(hidden_points, scene.point_mask.slice(2, 0, hidden_points.size(2)), directions));
   const Tensor centre = torch::zeros_like(scene.properties);  // of mass, the origin of the reference frame
   const Tensor radius = bounding_radius(windows.whole_surface, windows.whole_mask, centre).clamp_min(1e-3);
   const Tensor residual =
