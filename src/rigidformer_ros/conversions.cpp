@@ -58,12 +58,7 @@ geometry_msgs::Pose to_pose(const RigidTransform& T) {
 
 geometry_msgs::Twist twist_between(const RigidTransform& before, const RigidTransform& after, double dt_s) {
   const Eigen::Vector3d linear = (after.translation - before.translation) / dt_s;
-  Eigen::Quaterniond turn = after.rotation * before.rotation.conjugate();
-  if (turn.w() < 0.0) {
-    turn.coeffs() *= -1.0;  // the shorter way round
-  }
-  const Eigen::AngleAxisd angle_axis(turn);
-  const Eigen::Vector3d angular = angle_axis.angle() / dt_s * angle_axis.axis();
+  const Eigen::Vector3d angular = rigidformer::rotation_vector(after.rotation * before.rotation.conjugate()) / dt_s;
   geometry_msgs::Twist twist;
   twist.linear.x = linear.x();
   twist.linear.y = linear.y();

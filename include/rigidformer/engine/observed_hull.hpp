@@ -8,13 +8,14 @@ namespace rigidformer {
 
 /// A solid that stands for an observed object.
 struct ObservedHull {
-  ConvexPart hull;  ///< Relative to the centre of mass [m]
+  ConvexPart hull;                 ///< Relative to the centre of mass [m]
+  Eigen::Vector3d centre_of_mass;  ///< In the frame of the points [m]
   double volume_m3 = 0.0;
 };
 
-/// Convex hull of the points [N, 3], at least one, around the given centre of mass. Where the centre of the hull lies
-/// far from it, the points are one side of the object only: `hidden` [H, 3], or without any the mirror images of the
-/// points through the centre of mass, stand for the other side.
+/// Convex hull of the points [N, 3], at least one. Where its centre lies near the estimated centre of mass, all sides
+/// are seen, and it is the better estimate. Else the points are one side of the object only: `hidden` [H, 3], or
+/// without any the mirror images of the points through the centre of mass, stand for the other side.
 ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass, const Points& hidden = {});
 
 }  // namespace rigidformer

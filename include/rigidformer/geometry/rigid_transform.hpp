@@ -24,6 +24,12 @@ struct RigidTransform {
 Eigen::Vector3d operator*(const RigidTransform& T_target_source, const Eigen::Vector3d& point_source);
 RigidTransform operator*(const RigidTransform& T_a_b, const RigidTransform& T_b_c);
 
+/// Axis times angle [rad], the shorter way round: at most pi long.
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
+
+/// The rotation about an axis by its length as angle [rad].
+Eigen::Quaterniond rotation_about(const Eigen::Vector3d& rotation_vector);
+
 /// Linear in position and slerp in rotation; `fraction` 0 gives `from`, 1 gives `to`, values outside extrapolate.
 RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to, double fraction);
 

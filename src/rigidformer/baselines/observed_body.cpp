@@ -48,10 +48,8 @@ BodyState state_from_two_poses(const ObservedBody& body, const ObjectState& obje
   const bool on_floor =
       lowest_point(body.parts, before) < kTouching_m && lowest_point(body.parts, state.T_world_object) < kTouching_m;
   if (!on_floor) state.velocity.z() += 0.5 * rollout.gravity * rollout.time_step_s;
-  const Eigen::AngleAxisd turn(state.T_world_object.rotation * before.rotation.conjugate());
-  // AngleAxis gives angles up to 2 pi for quaternions of the other sign: take the short way.
-  const double angle = turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle();
-  state.angular_velocity = angle / rollout.time_step_s * turn.axis();
+  state.angular_velocity =
+      rotation_vector(state.T_world_object.rotation * before.rotation.conjugate()) / rollout.time_step_s;
   return state;
 }
 

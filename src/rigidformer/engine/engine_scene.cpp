@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rigidformer/engine/observed_hull.hpp"
+#include "rigidformer/model/scene_input.hpp"
 
 namespace rigidformer {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr double kTouching_m = 0.01;       // of the ground; sampled points miss the lowest corner by a little
 constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground rests or rolls
 constexpr double kUnknownDensity = 1.0;    // [kg/m^3]
-constexpr double kUnknownFriction = 0.6;
-constexpr double kUnknownRestitution = 0.5;
 
 double value(const Tensor& tensor) { return tensor.item<double>(); }
 
@@ -49,7 +48,7 @@ Points hidden_points(const SceneBatch& batch, int64_t b, int64_t k) {
 PhysicalProperties properties_of(const SceneBatch& batch, int64_t b, int64_t k, double volume_m3) {
   const Tensor known = batch.properties_known[b][k] > 0.0;
   const Tensor properties = batch.properties[b][k];
-  const double stand_in[] = {kUnknownDensity * volume_m3, kUnknownFriction, kUnknownRestitution};
+  const double stand_in[] = {kUnknownDensity * volume_m3, kMeanFriction, kMeanRestitution};
   const auto property = [&](int64_t i) { return known[i].item<bool>() ? value(properties[i]) : stand_in[i]; };
   return {property(0), property(1), property(2)};
 }
@@ -83,9 +82,10 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
   }
 }
 
-EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, int64_t b, const Body& body) {
+EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, int64_t b, Body& body) {
   const ObservedHull observed =
       observe_hull(seen_points(batch, b, body.object), body.centre_reference, hidden_points(batch, b, body.object));
+  body.centre_reference = observed.centre_of_mass;
   return {observed.hull, properties_of(batch, b, body.object, observed.volume_m3)};
 }
 
@@ -120,9 +120,7 @@ BodyState EngineScene::observe(const Body& body, const RigidTransform& before, c
   const RigidTransform start = on_ground(body, before);
   state.T_world_object = on_ground(body, now);
   state.velocity = (state.T_world_object.translation - start.translation) / time_step_s_;
-  const Eigen::AngleAxisd turn(state.T_world_object.rotation * start.rotation.conjugate());
-  const double angle = turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle();
-  state.angular_velocity = angle / time_step_s_ * turn.axis();
+  state.angular_velocity = rotation_vector(state.T_world_object.rotation * start.rotation.conjugate()) / time_step_s_;
   if (falls(body, state)) state.velocity.z() += half_fall();
   return state;
 }
@@ -130,9 +128,7 @@ BodyState EngineScene::observe(const Body& body, const RigidTransform& before, c
 RigidTransform EngineScene::departure(const Body& body, const BodyState& arrived) const {
   Eigen::Vector3d velocity = arrived.velocity;
   if (falls(body, arrived)) velocity.z() -= half_fall();
-  const Eigen::Vector3d turn = arrived.angular_velocity * time_step_s_;
-  const double angle = turn.norm();
-  const Eigen::AngleAxisd back(-angle, angle > 0.0 ? (turn / angle).eval() : Eigen::Vector3d::UnitX());
+  const Eigen::Quaterniond back = rotation_about(-time_step_s_ * arrived.angular_velocity);
   return {back * arrived.T_world_object.rotation, arrived.T_world_object.translation - velocity * time_step_s_};
 }
 

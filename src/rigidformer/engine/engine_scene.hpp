@@ -32,7 +32,7 @@ class EngineScene {
     PhysicalProperties properties;  ///< Complete
   };
 
-  static Solid observe_solid(const SceneBatch& batch, int64_t b, const Body& body);
+  static Solid observe_solid(const SceneBatch& batch, int64_t b, Body& body);
   void add_body(const Solid& solid, Body& body);
   BodyState observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const;
   RigidTransform departure(const Body& body, const BodyState& arrived) const;

@@ -21,14 +21,17 @@ Points joined(const Points& a, const Points& b) {
 ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass, const Points& hidden) {
   const Eigen::RowVector3f centre = centre_of_mass.cast<float>().transpose();
   const Points centred = with_thickness(points.rowwise() - centre);
-  ObservedHull observed{convex_hull(centred), 0.0};
-  MeshVolume measured = measure_volume(observed.hull);
-  if (measured.centroid.norm() > kOneSided * static_cast<double>(centred.rowwise().norm().maxCoeff())) {
+  ObservedHull observed{convex_hull(centred), centre_of_mass, 0.0};
+  const MeshVolume seen = measure_volume(observed.hull);
+  if (seen.centroid.norm() > kOneSided * static_cast<double>(centred.rowwise().norm().maxCoeff())) {
     const Points other_side = hidden.rows() > 0 ? Points(hidden.rowwise() - centre) : Points(-centred);
     observed.hull = convex_hull(joined(centred, other_side));
-    measured = measure_volume(observed.hull);
+    observed.volume_m3 = measure_volume(observed.hull).volume_m3;
+    return observed;
   }
-  observed.volume_m3 = measured.volume_m3;
+  observed.hull.vertices.rowwise() -= seen.centroid.cast<float>().transpose();
+  observed.centre_of_mass += seen.centroid;
+  observed.volume_m3 = seen.volume_m3;
   return observed;
 }
 

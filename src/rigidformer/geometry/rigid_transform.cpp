@@ -25,10 +25,21 @@ RigidTransform operator*(const RigidTransform& T_a_b, const RigidTransform& T_b_
   return {(T_a_b.rotation * T_b_c.rotation).normalized(), T_a_b * T_b_c.translation};
 }
 
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
+  // Eigen gives angles up to 2 pi for quaternions of the other sign.
+  const Eigen::AngleAxisd turn(rotation);
+  return (turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle()) * turn.axis();
+}
+
+Eigen::Quaterniond rotation_about(const Eigen::Vector3d& rotation_vector) {
+  const double angle = rotation_vector.norm();
+  if (!(angle > 0.0)) return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));
+}
+
 RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to, double fraction) {
-  const Eigen::AngleAxisd turn(from.rotation.conjugate() * to.rotation);
-  const double angle = turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle();
-  return {(from.rotation * Eigen::AngleAxisd(fraction * angle, turn.axis())).normalized(),
+  const Eigen::Vector3d turn = rotation_vector(from.rotation.conjugate() * to.rotation);
+  return {(from.rotation * rotation_about(fraction * turn)).normalized(),
           from.translation + fraction * (to.translation - from.translation)};
 }
 

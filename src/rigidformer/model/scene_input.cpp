@@ -18,9 +18,7 @@ namespace {
 constexpr int64_t kPointBucket = 64;
 constexpr int kMinPoints = 4;
 constexpr double kMinSpread = 1e-4;  // [m] standard deviation across the second axis below which a cloud is a line
-constexpr int64_t kMaxSurfacePoints = 1024;
-// Means over the MOVi sets; for models that cannot read "unknown".
-constexpr double kMeanMass = 1.2, kMeanFriction = 0.6, kMeanRestitution = 0.5;
+constexpr int64_t kMaxSurfacePoints = 4096;
 
 [[noreturn]] void fail(const ObjectState& object, const std::string& defect) {
   throw std::invalid_argument("object '" + object.id + "': " + defect);
@@ -100,8 +98,11 @@ Points thinned(const Points& cloud, Eigen::Index max_points) {
 /// The clouds for the physics engine, which can do with more points than the network.
 void store_surfaces(const std::vector<ObjectState>& objects, SceneBatch& batch) {
   const auto K = static_cast<int64_t>(objects.size());
-  batch.surface_points = torch::zeros({1, K, kMaxSurfacePoints, 3});
-  batch.surface_mask = torch::zeros({1, K, kMaxSurfacePoints}, torch::kBool);
+  int64_t longest = 1;
+  for (const ObjectState& object : objects) longest = std::max<int64_t>(longest, object.points_reference.rows());
+  const int64_t M = std::min(longest, kMaxSurfacePoints);
+  batch.surface_points = torch::zeros({1, K, M, 3});
+  batch.surface_mask = torch::zeros({1, K, M}, torch::kBool);
   for (int64_t k = 0; k < K; ++k) {
     Points cloud = thinned(objects[static_cast<size_t>(k)].points_reference, kMaxSurfacePoints);
     const int64_t n = cloud.rows();

@@ -41,9 +41,17 @@ TEST(ObservedHull, OfACompleteCloudIsItsHullAroundTheCentreOfMass) {
   EXPECT_NEAR(observed.hull.vertices.minCoeff(), -0.5, 1e-6);
 }
 
+TEST(ObservedHull, TheCentreOfACompleteHullCorrectsTheEstimate) {
+  const Eigen::Vector3d estimate = kCentre + Eigen::Vector3d(0.03, 0.0, -0.02);
+  const ObservedHull observed = observe_hull(cube_faces([](int, float) { return true; }), estimate);
+  EXPECT_LT((observed.centre_of_mass - kCentre).norm(), 1e-6);
+  EXPECT_NEAR(observed.hull.vertices.maxCoeff(), 0.5, 1e-6);
+}
+
 TEST(ObservedHull, OneSideIsCompletedThroughTheCentreOfMass) {
   const auto seen = [](int axis, float side) { return axis != 0 && side > 0.0F; };
   const ObservedHull observed = observe_hull(cube_faces(seen), kCentre);
+  EXPECT_EQ(observed.centre_of_mass, kCentre);
   EXPECT_NEAR(observed.volume_m3, 1.0, 1e-5);
   EXPECT_NEAR(observed.hull.vertices.minCoeff(), -0.5, 1e-6);
 }

@@ -62,6 +62,18 @@ TEST(RigidTransform, InterpolationTakesTheShortWayForEitherSignOfTheQuaternion) 
   EXPECT_NEAR(rotation_angle(half.rotation, turn(0.3, {0, 0, 1}, {0, 0, 0}).rotation), 0.0, 1e-7);
 }
 
+TEST(RigidTransform, RotationVectorsAndRotationsAreInverse) {
+  for (const double angle : {0.0, 1e-9, 0.3, 3.1}) {
+    const Eigen::Vector3d vector = angle * Eigen::Vector3d(2.0, -1.0, 2.0) / 3.0;
+    Eigen::Quaterniond rotation = rotation_about(vector);
+    EXPECT_LT((rotation_vector(rotation) - vector).norm(), 1e-9);
+    rotation.coeffs() *= -1.0;
+    EXPECT_LT((rotation_vector(rotation) - vector).norm(), 1e-9) << "the same rotation";
+  }
+  EXPECT_LT((rotation_about({0.0, 0.0, M_PI / 2.0}) * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(),
+            1e-12);
+}
+
 TEST(RigidTransform, RotationAngleIsGeodesicAndIgnoresQuaternionSign) {
   const Eigen::Quaterniond a = turn(0.25, {1, 1, 0}, {0, 0, 0}).rotation;
   Eigen::Quaterniond b = turn(1.5, {1, 1, 0}, {0, 0, 0}).rotation;
