@@ -28,6 +28,15 @@ std::vector<ObjectState> warm_up_scene() {
   return objects;
 }
 
+/// Keeps the matrices of the linear layers by columns: the linear-algebra library copies them at every multiplication,
+/// and this order it copies with vector instructions. The numbers stay the same.
+void store_by_columns(RigidFormer& model) {
+  torch::NoGradGuard no_grad;
+  for (Tensor& parameter : model->parameters()) {
+    if (parameter.dim() == 2) parameter.set_data(parameter.t().contiguous().t());
+  }
+}
+
 /// Of a scene without objects: time passes.
 class EmptyRollout : public Rollout {
  public:
@@ -93,6 +102,7 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
       part->to(torch::kBFloat16);
     }
   }
+  if (device.is_cpu()) store_by_columns(model);
   describe();
 }
 

@@ -63,7 +63,7 @@ NetworkRollout::NetworkRollout(RigidFormer& model, const torch::Device& device, 
                                const std::vector<ObjectState>& objects, const RolloutOptions& rollout)
     : model_(model), rest_{options.rest_speed, options.rest_spin}, time_step_s_(rollout.time_step_s) {
   const auto start = std::chrono::steady_clock::now();
-  torch::NoGradGuard no_grad;
+  c10::InferenceMode inference;
   input_ = make_scene_input(objects, rollout, model->options, options.max_points);
   nearest_ = device.is_cpu() ? tree_search(input_) : NearestSearch(nearest_by_distance_matrix);
   batch_ = to_device(input_.batch, device);
@@ -79,7 +79,7 @@ NetworkRollout::NetworkRollout(RigidFormer& model, const torch::Device& device, 
 
 const Forecast& NetworkRollout::advance(int num_steps) {
   const auto start = std::chrono::steady_clock::now();
-  torch::NoGradGuard no_grad;
+  c10::InferenceMode inference;
   for (int i = 0; i < num_steps; ++i) step();
   forecast_.compute_time_s += seconds_since(start);
   return forecast_;
