@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# From the lowest layer to the highest. `predictor` is the pair of files predictor.hpp and predictor.cpp.
+# From the lowest layer to the highest. `predictor` is the files predictor.* and predictor_*.*.
 LAYERS = ['io', 'geometry', 'scene', 'data', 'simulation', 'model', 'engine', 'predictor', 'windows', 'training',
           'evaluation', 'baselines']
 
@@ -41,7 +41,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 def layer_of(path_in_core):
     """'geometry/x.hpp' -> 'geometry', 'predictor.hpp' -> 'predictor'."""
     first = pathlib.PurePath(path_in_core).parts[0]
-    return pathlib.PurePath(first).stem if first.startswith('predictor.') else first
+    return 'predictor' if re.fullmatch(r'predictor(_\w+)?\.\w+', first) else first
 
 
 def sources(folder):
@@ -130,6 +130,7 @@ class Planted(unittest.TestCase):
                 ('src/rigidformer/baselines/a.cpp', '#include <btBulletDynamicsCommon.h>'),
                 ('src/rigidformer/baselines/a.cpp', '#include <mujoco/mujoco.h>'),
                 ('src/rigidformer/predictor.cpp', '#include <torch/torch.h>'),
+                ('src/rigidformer/predictor_rollout.cpp', '#include "rigidformer/predictor.hpp"'),
                 ('include/rigidformer/model/a.hpp', '#include <torch/nn.h>'),
                 ('src/rigidformer/evaluation/a.cpp', '#include "rigidformer/predictor.hpp"'),
                 ('include/rigidformer/scene/a.hpp', '#include "rigidformer/scene/b.hpp"'),

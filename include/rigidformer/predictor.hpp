@@ -54,6 +54,17 @@ struct ModelInfo {
   int max_points = 0;                                   ///< Points per object actually used; more are subsampled
 };
 
+/// A rollout under way, for those who want to look in between: advancing by 8 and then by 16 steps gives what 24 at
+/// once give. Its predictor must outlive it.
+class Rollout {
+ public:
+  virtual ~Rollout() = default;
+
+  /// Predicts `num_steps` more steps; returns everything from the observation on. The forecast's compute time is that
+  /// of all steps so far.
+  virtual const Forecast& advance(int num_steps) = 0;
+};
+
 /// Loads a RigidFormer checkpoint and rolls scenes out. Torch stays hidden behind the implementation.
 /// Not thread safe: call it from one thread.
 class Predictor {
@@ -72,6 +83,9 @@ class Predictor {
   /// objects whose prediction stops being finite get Status::kDiverged and keep their last finite pose.
   /// An empty scene gives an empty forecast.
   virtual Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
+
+  /// The same in pieces: nothing is predicted before the first advance(). Throws what predict() throws.
+  virtual std::unique_ptr<Rollout> start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
   virtual const ModelInfo& info() const;
 

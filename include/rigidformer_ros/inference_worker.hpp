@@ -10,7 +10,6 @@
 #include <mutex>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "rigidformer/predictor.hpp"
 
@@ -40,12 +39,12 @@ class InferenceWorker {
   /// Of the loaded model. Throws std::logic_error unless the state is kReady.
   rigidformer::ModelInfo info() const;
 
-  /// The future gives what Predictor::predict returns or throws. Throws std::logic_error unless the state is kReady.
-  std::future<rigidformer::Forecast> predict(std::vector<rigidformer::ObjectState> objects,
-                                             const rigidformer::RolloutOptions& options);
+  /// Runs the job on the thread of the predictor; the future gives what it returns or throws. Throws std::logic_error
+  /// unless the state is kReady.
+  std::future<rigidformer::Forecast> run(std::function<rigidformer::Forecast(rigidformer::Predictor&)> job);
 
  private:
-  void run(const PredictorFactory& make_predictor);
+  void live(const PredictorFactory& make_predictor);
   void load(const PredictorFactory& make_predictor);
 
   mutable std::mutex mutex_;

@@ -16,6 +16,8 @@ struct InputReport {
   std::size_t num_topics = 0;   ///< That delivered a cloud since the start
   std::uint64_t received = 0;   ///< Clouds since the start
   std::uint64_t lost = 0;       ///< Clouds since the start that were overwritten in a queue before the node saw them
+  std::uint64_t frames = 0;     ///< Moments since the start of which there is a usable cloud
+  std::uint64_t forecast = 0;   ///< Of them, whose scene was forecast; the others came while one was being made
   double rate_hz = 0.0;         ///< Clouds of all topics, since the previous report
   std::optional<double> age_s;  ///< Of the newest usable cloud; empty before the first
   std::size_t num_objects = 0;  ///< In the newest scene
@@ -32,6 +34,9 @@ class InputMonitor {
   /// A cloud with this stamp became an observation.
   void used(const ros::Time& stamp);
 
+  /// A forecast of the newest scene was made.
+  void forecast_made();
+
   void scene_seen(std::size_t num_objects, std::size_t num_skipped);
 
   /// `now` is the clock of the stamps, `steady_s` one that never jumps.
@@ -42,6 +47,7 @@ class InputMonitor {
   InputReport report_;
   std::map<std::string, std::uint32_t> last_sequence_;  ///< By topic
   std::optional<ros::Time> newest_stamp_;
+  ros::Time last_frame_;
   std::uint64_t received_before_ = 0;
   std::optional<double> reported_at_s_;
 };

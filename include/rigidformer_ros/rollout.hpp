@@ -42,7 +42,7 @@ struct RolloutOutcome {
 /// Rolls the scene out on the worker in short jobs, so that a long request neither blocks other users of the worker nor
 /// overruns its wall time by more than one job. Diverged objects stand still from then on and keep their status.
 /// Throws what the predictor throws.
-RolloutOutcome roll_out(InferenceWorker& worker, std::vector<rigidformer::ObjectState> objects,
+RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<rigidformer::ObjectState>& objects,
                         const RolloutSettings& settings);
 
 }  // namespace rigidformer_ros

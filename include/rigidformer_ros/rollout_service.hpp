@@ -9,6 +9,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
+#include <functional>
 #include <mutex>
 
 #include "rigidformer_ros/forecast_check.hpp"
@@ -16,12 +17,15 @@
 #include "rigidformer_ros/frame_transformer.hpp"
 #include "rigidformer_ros/live_scene.hpp"
 #include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/shared_answers.hpp"
 #include "rigidformer_ros/shared_value.hpp"
 
 namespace rigidformer_ros {
 
 /// The services predict_rollout, get_model_info and reset. Handlers always return true, with failures in the answer.
 /// Rollouts are made one after another, service/max_clients_queued may wait; the other services never wait for them.
+/// Requests about the live scene that wait and are the same to the bit get one answer: it is made when the first of
+/// them has its turn, so none gets one older than its question.
 class RolloutService {
  public:
   /// Threads that the callback queue of `node` needs: one per rollout that is made or waits, one to turn others away.
@@ -39,7 +43,9 @@ class RolloutService {
   GetModelInfo::Response model_info() const;
 
  private:
-  PredictRollout::Response answer_in_turn(const PredictRollout::Request& request);
+  PredictRollout::Response answer_together(const PredictRollout::Request& request, double start_s);
+  PredictRollout::Response answer_in_turn(const PredictRollout::Request& request, double start_s,
+                                          const std::function<void()>& when_it_begins);
   PredictRollout::Response roll_out(const PredictRollout::Request& request, double waited_s);
 
   NodeParameters parameters_;
@@ -48,6 +54,7 @@ class RolloutService {
   const FrameTransformer& frames_;
   const SharedValue<ForecastQuality>& quality_;
   std::atomic<int> num_clients_{0};  ///< Whose rollout is made or waits
+  SharedAnswers<PredictRollout::Response> shared_answers_;
   std::timed_mutex turn_;
   ros::ServiceServer predict_rollout_;
   ros::ServiceServer get_model_info_;

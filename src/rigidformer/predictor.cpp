@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/predictor.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
-#include "rigidformer/engine/engine_step.hpp"
-#include "rigidformer/geometry/nearest_points.hpp"
+#include "predictor_rollout.hpp"
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/model/device.hpp"
-#include "rigidformer/model/nearest.hpp"
-#include "rigidformer/model/rest.hpp"
-#include "rigidformer/model/scene_input.hpp"
 #include "rigidformer/model/threads.hpp"
 
 namespace rigidformer {
@@ -20,45 +15,6 @@ namespace {
 
 constexpr int kMaxObjects = 256;
 constexpr double kTimeStepTolerance = 1e-6;  // [s]
-
-/// Nearest points from one search tree per rigid object, for the CPU.
-NearestSearch tree_search(const SceneInput& input) {
-  auto trees = std::make_shared<NearestPoints>(input.clouds);
-  auto found = std::make_shared<std::vector<NearestNeighbors>>();
-  const auto origin_at_zero = std::make_shared<SceneInput>();
-  origin_at_zero->origin_world.setZero();
-  return [=](const SceneBatch& batch, const Pose& current, const Tensor&) {
-    const int64_t K = batch.max_objects(), N = batch.max_points();
-    trees->query(to_world(*origin_at_zero, current), *found);
-    Nearest nearest{torch::zeros({1, K, N}, torch::kInt64), torch::zeros({1, K, N}, torch::kBool)};
-    auto index = nearest.index.accessor<int64_t, 3>();
-    auto valid = nearest.found.accessor<bool, 3>();
-    for (int64_t k = 0; k < K; ++k) {
-      const NearestNeighbors& neighbors = (*found)[static_cast<size_t>(k)];
-      for (size_t i = 0; i < neighbors.object.size(); ++i) {
-        if (neighbors.object[i] < 0) continue;
-        index[0][k][static_cast<int64_t>(i)] = neighbors.object[i] * N + neighbors.point[i];
-        valid[0][k][static_cast<int64_t>(i)] = true;
-      }
-    }
-    return nearest;
-  };
-}
-
-SceneBatch to_device(SceneBatch batch, const torch::Device& device) {
-  for (Tensor* tensor :
-       {&batch.points_reference, &batch.point_mask, &batch.object_mask, &batch.anchor_index, &batch.properties,
-        &batch.properties_known, &batch.dynamic_mask, &batch.step_size, &batch.ground_height, &batch.gravity}) {
-    *tensor = tensor->to(device);
-  }
-  return batch;
-}
-
-Pose to_device(const Pose& pose, const torch::Device& device) {
-  return {pose.rotation.to(device), pose.translation.to(device)};
-}
-
-bool is_finite(const RigidTransform& T) { return T.translation.allFinite() && T.rotation.coeffs().allFinite(); }
 
 /// Two clouds that fall: something to warm up with.
 std::vector<ObjectState> warm_up_scene() {
@@ -72,40 +28,31 @@ std::vector<ObjectState> warm_up_scene() {
   return objects;
 }
 
-/// A forecast that holds the observation and all times, but no step yet.
-Forecast start_forecast(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
-  Forecast forecast;
-  for (int step = 0; step <= rollout.num_steps; ++step) forecast.times_s.push_back(step * rollout.time_step_s);
-  for (const ObjectState& object : objects) {
-    forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
-  }
-  return forecast;
-}
-
-/// A diverged object stays where it was last finite, so that the others can go on around it.
-void freeze(SceneBatch& batch, const SceneState& last, SceneState& next, int64_t k) {
-  batch.dynamic_mask[0][k] = false;
-  for (const Pose& pose : {next.current, next.previous}) {
-    Tensor rotation = pose.rotation[0][k], translation = pose.translation[0][k];
-    rotation.copy_(last.current.rotation[0][k]);
-    translation.copy_(last.current.translation[0][k]);
+/// Keeps the matrices of the linear layers by columns: the linear-algebra library copies them at every multiplication,
+/// and this order it copies with vector instructions. The numbers stay the same.
+void store_by_columns(RigidFormer& model) {
+  torch::NoGradGuard no_grad;
+  for (Tensor& parameter : model->parameters()) {
+    if (parameter.dim() == 2) parameter.set_data(parameter.t().contiguous().t());
   }
 }
 
-/// Appends the poses of one step to the forecast.
-void record(const SceneInput& input, const SceneState& last, SceneState& next, SceneBatch& batch, Forecast& forecast) {
-  const std::vector<RigidTransform> T_world = to_world(input, next.current);
-  for (size_t k = 0; k < T_world.size(); ++k) {
-    ObjectForecast& object = forecast.objects[k];
-    if (object.status == ObjectForecast::Status::kOk && is_finite(T_world[k])) {
-      object.poses.push_back(T_world[k]);
-    } else {
-      object.status = ObjectForecast::Status::kDiverged;
-      object.poses.push_back(object.poses.back());
-      freeze(batch, last, next, static_cast<int64_t>(k));
+/// Of a scene without objects: time passes.
+class EmptyRollout : public Rollout {
+ public:
+  explicit EmptyRollout(double time_step_s) : time_step_s_(time_step_s) { forecast_.times_s.push_back(0.0); }
+
+  const Forecast& advance(int num_steps) override {
+    for (int i = 0; i < num_steps; ++i) {
+      forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * time_step_s_);
     }
+    return forecast_;
   }
-}
+
+ private:
+  double time_step_s_;
+  Forecast forecast_;
+};
 
 }  // namespace
 
@@ -155,6 +102,7 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
       part->to(torch::kBFloat16);
     }
   }
+  if (device.is_cpu()) store_by_columns(model);
   describe();
 }
 
@@ -202,31 +150,13 @@ void Predictor::warm_up() {
 }
 
 Forecast Predictor::predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
-  const auto start = std::chrono::steady_clock::now();
-  torch::NoGradGuard no_grad;
-  impl_->check(objects, rollout);
-  Forecast forecast = start_forecast(objects, rollout);
-  if (objects.empty()) return forecast;
+  return start(objects, rollout)->advance(rollout.num_steps);
+}
 
-  RigidFormer& model = impl_->checkpoint.model;
-  const torch::Device& device = impl_->device;
-  const SceneInput input = make_scene_input(objects, rollout, model->options, impl_->options.max_points);
-  const NearestSearch nearest = device.is_cpu() ? tree_search(input) : NearestSearch(nearest_by_distance_matrix);
-  SceneBatch batch = to_device(input.batch, device);
-  SceneState state{to_device(input.state.first, device), to_device(input.state.previous, device),
-                   to_device(input.state.current, device)};
-  const Tensor centre = model->centre_of_mass(batch, state.current);
-  batch.hidden_points = model->hidden_side(batch, state.current, centre);
-  const EngineStep engine = make_engine_step(model->options, batch, centre);
-  const RestLimits rest{impl_->options.rest_speed, impl_->options.rest_spin};
-  for (int step = 0; step < rollout.num_steps; ++step) {
-    SceneState next = advance(batch, state, model->forward(batch, state, centre, nearest, engine));
-    if (rest.speed_mps > 0.0) hold_resting(batch, state, next, rest);
-    record(input, state, next, batch, forecast);
-    state = next;
-  }
-  forecast.compute_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return forecast;
+std::unique_ptr<Rollout> Predictor::start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
+  impl_->check(objects, rollout);
+  if (objects.empty()) return std::make_unique<EmptyRollout>(rollout.time_step_s);
+  return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, impl_->options, objects, rollout);
 }
 
 }  // namespace rigidformer

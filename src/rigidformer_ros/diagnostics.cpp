@@ -86,6 +86,8 @@ void NodeDiagnostics::report_input(Status& status) {
   status.add("age of the newest usable cloud [s]", input.age_s ? std::to_string(*input.age_s) : "unknown");
   status.add("clouds received", input.received);
   status.add("clouds overwritten in a queue", input.lost);
+  status.add("frames", input.frames);
+  status.add("frames forecast", input.forecast);
   for (const auto& [reason, count] : rejections_) {
     if (reason != kFailedForecast) {
       status.add("rejected, " + reason, std::to_string(count.total) + "; last: " + count.detail);

@@ -118,6 +118,7 @@ void ForecastLoop::forecast_newest_scene() {
   }
   rollout.trusted_horizon_s = context_.quality.get().trusted_horizon_s;
   publisher_.publish(rollout);
+  context_.input.forecast_made();
   check_.expect(rollout);
 }
 

@@ -8,7 +8,7 @@
 namespace rigidformer_ros {
 
 InferenceWorker::InferenceWorker(PredictorFactory make_predictor)
-    : thread_([this, make = std::move(make_predictor)] { run(make); }) {}
+    : thread_([this, make = std::move(make_predictor)] { live(make); }) {}
 
 InferenceWorker::~InferenceWorker() {
   stop();
@@ -49,10 +49,9 @@ rigidformer::ModelInfo InferenceWorker::info() const {
   return info_;
 }
 
-std::future<rigidformer::Forecast> InferenceWorker::predict(std::vector<rigidformer::ObjectState> objects,
-                                                            const rigidformer::RolloutOptions& options) {
-  std::packaged_task<rigidformer::Forecast()> job(
-      [this, objects = std::move(objects), options] { return predictor_->predict(objects, options); });
+std::future<rigidformer::Forecast> InferenceWorker::run(
+    std::function<rigidformer::Forecast(rigidformer::Predictor&)> wanted) {
+  std::packaged_task<rigidformer::Forecast()> job([this, wanted = std::move(wanted)] { return wanted(*predictor_); });
   std::future<rigidformer::Forecast> result = job.get_future();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -86,7 +85,7 @@ void InferenceWorker::load(const PredictorFactory& make_predictor) {
   state_ = outcome;
 }
 
-void InferenceWorker::run(const PredictorFactory& make_predictor) {
+void InferenceWorker::live(const PredictorFactory& make_predictor) {
   load(make_predictor);
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {

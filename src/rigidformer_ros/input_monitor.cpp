@@ -7,6 +7,7 @@ namespace rigidformer_ros {
 namespace {
 
 constexpr std::uint32_t kLargestGap = 1000;  // more is a restarted or a second publisher
+constexpr double kLargestDelay = 1.0;        // [s] a stamp that is older by more comes from a clock that jumped back
 
 }  // namespace
 
@@ -24,6 +25,15 @@ void InputMonitor::received(const std::string& topic, std::uint32_t sequence) {
 void InputMonitor::used(const ros::Time& stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_stamp_ = stamp;
+  if (stamp > last_frame_ || (last_frame_ - stamp).toSec() > kLargestDelay) {
+    ++report_.frames;
+    last_frame_ = stamp;
+  }
+}
+
+void InputMonitor::forecast_made() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++report_.forecast;
 }
 
 void InputMonitor::scene_seen(std::size_t num_objects, std::size_t num_skipped) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "rigidformer_ros/length_scale.hpp"
@@ -27,60 +28,33 @@ bool is_at_rest(const RigidTransform& before, const RigidTransform& after, doubl
          rigidformer::rotation_angle(before.rotation, after.rotation) <= limit.angular_speed_rps * dt_s;
 }
 
-Forecast start_forecast(const std::vector<ObjectState>& objects) {
-  Forecast forecast;
-  forecast.times_s.push_back(0.0);
-  for (const ObjectState& object : objects) {
-    forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
+// Keeps the last finite pose of an object whose prediction is not finite, whatever the predictor says about it.
+Forecast with_finite_poses(Forecast forecast) {
+  for (ObjectForecast& object : forecast.objects) {
+    bool lost = false;
+    for (std::size_t k = 1; k < object.poses.size(); ++k) {
+      lost = lost || !rigidformer::is_valid(object.poses[k]);
+      if (lost) {
+        object.status = ObjectForecast::Status::kDiverged;
+        object.poses[k] = object.poses[k - 1];
+      }
+    }
   }
   return forecast;
 }
 
-// Keeps the last finite pose of an object whose prediction is not finite, whatever the predictor says about it.
-void append_poses(ObjectForecast& whole, const ObjectForecast& part, std::size_t count) {
-  for (std::size_t k = 1; k <= count; ++k) {
-    const bool usable = k < part.poses.size() && rigidformer::is_valid(part.poses[k]);
-    if (!usable) {
-      whole.status = ObjectForecast::Status::kDiverged;
-    }
-    whole.poses.push_back(usable ? part.poses[k] : RigidTransform(whole.poses.back()));
-  }
-  if (part.status == ObjectForecast::Status::kDiverged) {
-    whole.status = ObjectForecast::Status::kDiverged;
-  }
-}
-
-void append(Forecast& whole, const Forecast& part, int steps, double time_step_s) {
-  for (int k = 0; k < steps; ++k) {
-    whole.times_s.push_back(static_cast<double>(whole.times_s.size()) * time_step_s);
-  }
-  for (std::size_t i = 0; i < whole.objects.size(); ++i) {
-    append_poses(whole.objects[i], part.objects.at(i), static_cast<std::size_t>(steps));
-  }
-}
-
-void advance(std::vector<ObjectState>& objects, const Forecast& forecast) {
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const auto& poses = forecast.objects[i].poses;
-    objects[i].T_world_current = poses.back();
-    objects[i].T_world_previous = poses[poses.size() - 2];
-    if (forecast.objects[i].status == ObjectForecast::Status::kDiverged) {
-      objects[i].mode = MotionMode::kStatic;
-      objects[i].T_world_previous = poses.back();
-    }
-  }
-}
-
 bool all_diverged(const Forecast& forecast, const std::vector<ObjectState>& objects) {
-  bool any_moving = false;
+  bool any_moves = false;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const bool diverged = forecast.objects[i].status == ObjectForecast::Status::kDiverged;
-    any_moving = any_moving || diverged || objects[i].mode == MotionMode::kDynamic;
-    if (objects[i].mode == MotionMode::kDynamic && !diverged) {
+    if (objects[i].mode != MotionMode::kDynamic) {
+      continue;
+    }
+    any_moves = true;
+    if (forecast.objects[i].status != ObjectForecast::Status::kDiverged) {
       return false;
     }
   }
-  return any_moving;
+  return any_moves;
 }
 
 std::vector<int> all_settled_steps(const Forecast& forecast, double time_step_s, const SettleCriterion& criterion) {
@@ -94,6 +68,47 @@ std::vector<int> all_settled_steps(const Forecast& forecast, double time_step_s,
 bool all_settled(const std::vector<int>& steps) {
   return !steps.empty() && std::all_of(steps.begin(), steps.end(), [](int step) { return step >= 0; });
 }
+
+Forecast start_forecast(const std::vector<ObjectState>& objects) {
+  Forecast forecast;
+  forecast.times_s.push_back(0.0);
+  for (const ObjectState& object : objects) {
+    forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
+  }
+  return forecast;
+}
+
+// A rollout that lets others have the worker between its jobs. In real lengths and times.
+class PiecewiseRollout {
+ public:
+  PiecewiseRollout(InferenceWorker& worker, const std::vector<ObjectState>& objects, const RolloutSettings& settings)
+      : worker_(worker),
+        length_scale_(settings.length_scale),
+        state_(std::make_shared<State>(
+            State{to_model_scale(objects, length_scale_), to_model_scale(settings.options, length_scale_), nullptr})) {}
+
+  // From the observation to `num_steps` more steps than before.
+  Forecast advance(int num_steps) {
+    const auto job = [state = state_, num_steps](rigidformer::Predictor& predictor) {
+      if (!state->rollout) {
+        state->rollout = predictor.start(state->objects, state->options);
+      }
+      return state->rollout->advance(num_steps);
+    };
+    return with_finite_poses(to_real_scale(worker_.run(job).get(), length_scale_));
+  }
+
+ private:
+  struct State {
+    std::vector<ObjectState> objects;
+    rigidformer::RolloutOptions options;
+    std::unique_ptr<rigidformer::Rollout> rollout;  // made on the thread of the predictor
+  };
+
+  InferenceWorker& worker_;
+  double length_scale_;
+  std::shared_ptr<State> state_;
+};
 
 }  // namespace
 
@@ -110,10 +125,11 @@ int settled_step(const std::vector<RigidTransform>& poses, double time_step_s, c
   return at_rest_s > 0.0 && at_rest_s >= criterion.duration_s ? step : -1;
 }
 
-RolloutOutcome roll_out(InferenceWorker& worker, std::vector<ObjectState> objects, const RolloutSettings& settings) {
+RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<ObjectState>& objects,
+                        const RolloutSettings& settings) {
   const Clock::time_point start = Clock::now();
   const auto elapsed_s = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const double dt_s = settings.options.time_step_s;
+  PiecewiseRollout rollout(worker, objects, settings);
   RolloutOutcome outcome;
   outcome.forecast = start_forecast(objects);
   outcome.settled_steps.assign(objects.size(), -1);
@@ -122,15 +138,10 @@ RolloutOutcome roll_out(InferenceWorker& worker, std::vector<ObjectState> object
       outcome.stop_reason = StopReason::kWallTime;
       break;
     }
-    rigidformer::RolloutOptions options = settings.options;
-    options.num_steps = std::min(kStepsPerJob, settings.options.num_steps - outcome.steps_done);
-    const Forecast part =
-        worker.predict(to_model_scale(objects, settings.length_scale), to_model_scale(options, settings.length_scale))
-            .get();
-    append(outcome.forecast, to_real_scale(part, settings.length_scale), options.num_steps, dt_s);
-    outcome.steps_done += options.num_steps;
-    advance(objects, outcome.forecast);
-    outcome.settled_steps = all_settled_steps(outcome.forecast, dt_s, settings.settle);
+    const int num_steps = std::min(kStepsPerJob, settings.options.num_steps - outcome.steps_done);
+    outcome.forecast = rollout.advance(num_steps);
+    outcome.steps_done += num_steps;
+    outcome.settled_steps = all_settled_steps(outcome.forecast, settings.options.time_step_s, settings.settle);
     if (all_diverged(outcome.forecast, objects)) {
       outcome.stop_reason = StopReason::kDiverged;
       break;

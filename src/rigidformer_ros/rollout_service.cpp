@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/function.hpp>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -60,6 +61,14 @@ void fill_outcome(Response& response, const SceneForecast& forecast, const Rollo
   }
 }
 
+std::string serialized(const Request& request) {
+  std::string bytes(ros::serialization::serializationLength(request), '\0');
+  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                     static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, request);
+  return bytes;
+}
+
 /// Counts a client as present for the length of a scope.
 class Presence {
  public:
@@ -104,34 +113,61 @@ RolloutService::RolloutService(ros::NodeHandle& node, const NodeParameters& para
 }
 
 Response RolloutService::answer(const Request& request) {
-  try {
-    if (!forecaster_.ready()) {
-      return failure(Response::NOT_READY, forecaster_.message());
+  if (!forecaster_.ready()) {
+    return failure(Response::NOT_READY, forecaster_.message());
+  }
+  const Presence presence(num_clients_);
+  if (presence.number() > parameters_.service.max_clients_queued + 1) {
+    return failure(Response::BUSY, "more than " + std::to_string(parameters_.service.max_clients_queued) +
+                                       " requests are waiting (service/max_clients_queued)");
+  }
+  const double start_s = steady_seconds();
+  if (!is_empty(request.scene)) {
+    return answer_in_turn(request, start_s, [] {});
+  }
+  return answer_together(request, start_s);
+}
+
+// Planners that wait for the same forecast of the live scene get it together. All of them have the same time limit:
+// the first one's ends first, so that none waits for it longer than its own.
+Response RolloutService::answer_together(const Request& request, double start_s) {
+  const std::string question = serialized(request);
+  while (true) {
+    const auto place = shared_answers_.join(question);
+    if (place.leads) {
+      SharedAnswers<Response>::Lead lead(shared_answers_, question);
+      Response response = answer_in_turn(request, start_s, [&lead] { lead.begin(); });
+      const bool gave_up = response.error_code == Response::TIMED_OUT && response.steps_done == 0;
+      if (!gave_up) {
+        lead.answer(response);
+      }
+      return response;
     }
-    return answer_in_turn(request);
+    if (const std::optional<Response>& response = place.result.get()) {
+      return *response;
+    }
+  }
+}
+
+Response RolloutService::answer_in_turn(const Request& request, double start_s,
+                                        const std::function<void()>& when_it_begins) {
+  const double limit_s =
+      request.max_wall_time.toSec() > 0.0 ? request.max_wall_time.toSec() : parameters_.service.max_wall_time;
+  const double left_s = limit_s - (steady_seconds() - start_s);
+  const std::unique_lock<std::timed_mutex> turn(turn_, std::chrono::duration<double>(left_s));
+  when_it_begins();
+  if (!turn) {
+    return failure(Response::TIMED_OUT,
+                   "max_wall_time: " + std::to_string(limit_s) + " s passed while other requests were answered");
+  }
+  try {
+    return roll_out(request, steady_seconds() - start_s);
   } catch (const RequestError& error) {
     return failure(error.code(), error.what());
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("predict_rollout: " << error.what());
     return failure(Response::INTERNAL, error.what());
   }
-}
-
-Response RolloutService::answer_in_turn(const Request& request) {
-  const Presence presence(num_clients_);
-  if (presence.number() > parameters_.service.max_clients_queued + 1) {
-    return failure(Response::BUSY, "more than " + std::to_string(parameters_.service.max_clients_queued) +
-                                       " requests are waiting (service/max_clients_queued)");
-  }
-  const double limit_s =
-      request.max_wall_time.toSec() > 0.0 ? request.max_wall_time.toSec() : parameters_.service.max_wall_time;
-  const double start_s = steady_seconds();
-  const std::unique_lock<std::timed_mutex> turn(turn_, std::chrono::duration<double>(limit_s));
-  if (!turn) {
-    return failure(Response::TIMED_OUT,
-                   "max_wall_time: " + std::to_string(limit_s) + " s passed while other requests were answered");
-  }
-  return roll_out(request, steady_seconds() - start_s);
 }
 
 Response RolloutService::roll_out(const Request& request, double waited_s) {

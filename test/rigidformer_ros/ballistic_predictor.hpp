@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "rigidformer/predictor.hpp"
+#include "rigidformer_ros/restarting_rollout.hpp"
 
 namespace rigidformer {
 
@@ -29,6 +29,10 @@ class BallisticPredictor : public Predictor {
 
   void warm_up() override {}
   const ModelInfo& info() const override { return info_; }
+
+  std::unique_ptr<Rollout> start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) override {
+    return std::make_unique<RestartingRollout>(*this, objects, rollout);
+  }
 
   Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) override {
     Forecast forecast;

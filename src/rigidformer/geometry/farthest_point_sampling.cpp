@@ -8,6 +8,29 @@
 #include <string>
 
 namespace rigidformer {
+namespace {
+
+/// Coordinates by column: sums over many points then use the processor's vector units.
+class Distances {
+ public:
+  explicit Distances(const Points& points) : x_(points.col(0)), y_(points.col(1)), z_(points.col(2)) {}
+
+  /// Squared distances of all points from `p`.
+  auto from(const Eigen::RowVector3f& p) const {
+    return (x_ - p.x()).square() + ((y_ - p.y()).square() + (z_ - p.z()).square());
+  }
+
+ private:
+  Eigen::ArrayXf x_, y_, z_;
+};
+
+/// Of values of which none is NaN. Faster than maxCoeff(&index), which looks at one value after the other.
+Eigen::Index first_largest(const Eigen::ArrayXf& values) {
+  const float* last = values.data() + values.size() - 1;
+  return std::find(values.data(), last, values.maxCoeff()) - values.data();
+}
+
+}  // namespace
 
 std::vector<int> farthest_point_order(const Points& points, int count) {
   if (count < 0) {
@@ -21,18 +44,18 @@ std::vector<int> farthest_point_order(const Points& points, int count) {
     return order;
   }
   const Eigen::RowVector3f centroid = points.cast<double>().colwise().mean().cast<float>();
-  Eigen::VectorXf distances = (points.rowwise() - centroid).rowwise().squaredNorm();
-  Eigen::Index farthest = 0;
-  distances.maxCoeff(&farthest);
+  const Distances squared_distances(points);
+  Eigen::ArrayXf distances = squared_distances.from(centroid);
+  Eigen::Index farthest = first_largest(distances);
   distances.setConstant(std::numeric_limits<float>::infinity());
   while (true) {
     order.push_back(static_cast<int>(farthest));
     if (static_cast<Eigen::Index>(order.size()) == num_chosen) {
       return order;
     }
-    distances = distances.cwiseMin((points.rowwise() - points.row(farthest).eval()).rowwise().squaredNorm());
+    distances = distances.min(squared_distances.from(points.row(farthest)));
     distances[farthest] = -1.0F;  // never chosen twice, even among coinciding points
-    distances.maxCoeff(&farthest);
+    farthest = first_largest(distances);
   }
 }
 

@@ -8,10 +8,51 @@
 
 #include <torch/torch.h>
 
+#include <cstdlib>
+
 // Present when LibTorch was built with OpenBLAS; resolved at load time, null otherwise.
-extern "C" void openblas_set_num_threads(int num_threads) __attribute__((weak));
+extern "C" {
+void openblas_set_num_threads(int num_threads) __attribute__((weak));
+char* openblas_get_corename() __attribute__((weak));
+void gotoblas_dynamic_init() __attribute__((weak));
+void gotoblas_dynamic_quit() __attribute__((weak));
+}
 
 namespace rigidformer {
+namespace {
+
+constexpr const char* kCoreVariable = "OPENBLAS_CORETYPE";
+
+/// OpenBLAS's name for the loops that suit the vector units, null for old processors.
+const char* core_for_vector_units() {
+#if defined(__x86_64__) && defined(__GNUC__)
+  __builtin_cpu_init();
+  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  if (avx512) return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+#endif
+  return nullptr;
+}
+
+/// True when OpenBLAS had to be told. While the library is loaded: later, other threads might be multiplying.
+bool choose_core() {
+  const bool can_choose = gotoblas_dynamic_init != nullptr && gotoblas_dynamic_quit != nullptr;
+  const char* core = core_for_vector_units();
+  const bool is_unknown = linear_algebra_core() == "Prescott";
+  if (!can_choose || core == nullptr || !is_unknown || std::getenv(kCoreVariable) != nullptr) return false;
+  setenv(kCoreVariable, core, 1);
+  gotoblas_dynamic_quit();
+  gotoblas_dynamic_init();
+  unsetenv(kCoreVariable);
+  return true;
+}
+
+const bool kChoseCore = choose_core();
+
+}  // namespace
+
+std::string linear_algebra_core() { return openblas_get_corename != nullptr ? openblas_get_corename() : ""; }
 
 void set_num_threads(int num_threads) {
   torch::set_num_threads(num_threads);

@@ -212,6 +212,19 @@ TEST_F(LayersTest, EncoderLevelsPoolPrefixesOfTheFarthestPointOrder) {
   }
 }
 
+TEST_F(LayersTest, EncoderLevelsAreTheSameWithoutGradientsAlsoWhereNotFinite) {
+  PointEncoder encoder(miniature());
+  torch::manual_seed(3);
+  Tensor features = torch::randn({2, 3, 17, num_vertex_features(miniature())});
+  features[1][2][0][0] = std::nanf("");
+  const Tensor num_points = torch::tensor({17, 5, 1, 0, 9, 2}).reshape({2, 3, 1});
+  const Tensor mask = torch::arange(17).reshape({1, 1, 17}) < num_points;
+  const Tensor expected = encoder(features, mask).tokens.detach();
+  EXPECT_TRUE(expected[1][2].isnan().all().item<bool>());
+  torch::NoGradGuard no_grad;
+  EXPECT_TRUE(torch::allclose(encoder(features, mask).tokens, expected, 0.0, 0.0, /*equal_nan=*/true));
+}
+
 TEST_F(LayersTest, RotaryAnglesAreLogSpacedAndDoubled) {
   const Tensor angles =
       rotary_angles(torch::tensor({{32.0, 0.0, 1.0}}, torch::kFloat64), 24);  // 4 frequencies per axis

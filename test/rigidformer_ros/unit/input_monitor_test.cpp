@@ -40,6 +40,17 @@ TEST(InputMonitor, TheRateIsThatSinceThePreviousReport) {
   EXPECT_EQ(monitor.take_report(ros::Time(5.0), 13.0).rate_hz, 0.0);
 }
 
+TEST(InputMonitor, CountsFramesAndForecasts) {
+  InputMonitor monitor;
+  for (const double stamp_s : {10.0, 10.0, 10.1, 10.0, 10.1, 10.2, 3.0, 3.0}) {  // of two topics; the clock restarts
+    monitor.used(ros::Time(stamp_s));
+  }
+  monitor.forecast_made();
+  const InputReport report = monitor.take_report(ros::Time(3.1), 1.0);
+  EXPECT_EQ(report.frames, 4U);
+  EXPECT_EQ(report.forecast, 1U);
+}
+
 TEST(InputMonitor, TheAgeIsThatOfTheNewestUsableCloud) {
   InputMonitor monitor;
   monitor.received("/a", 1);

@@ -50,6 +50,8 @@ RolloutSettings settings(int steps) {
   return s;
 }
 
+rigidformer::Forecast predict_nothing(rigidformer::Predictor& predictor) { return predictor.predict({}, {}); }
+
 // Loses the object "bad" from the third step of every call on.
 class FaultyPredictor : public BallisticPredictor {
  public:
@@ -102,6 +104,33 @@ TEST(Rollout, FollowsTheParabolaAcrossJobs) {
     EXPECT_LT((pose.translation - flight.pose(k * kTimeStep).translation).norm(), 1e-9);
     EXPECT_LT(rigidformer::rotation_angle(pose.rotation, flight.pose(k * kTimeStep).rotation), 1e-7);
   }
+}
+
+// Notes every start and every advance of the rollouts that are asked of it.
+class CountingPredictor : public BallisticPredictor {
+ public:
+  explicit CountingPredictor(std::vector<std::string>& calls) : calls_(calls) {}
+  std::unique_ptr<rigidformer::Rollout> start(const std::vector<ObjectState>& objects,
+                                              const rigidformer::RolloutOptions& rollout) override {
+    calls_.push_back("start");
+    return BallisticPredictor::start(objects, rollout);
+  }
+  rigidformer::Forecast predict(const std::vector<ObjectState>& objects,
+                                const rigidformer::RolloutOptions& rollout) override {
+    calls_.push_back(std::to_string(rollout.num_steps));
+    return BallisticPredictor::predict(objects, rollout);
+  }
+
+ private:
+  std::vector<std::string>& calls_;
+};
+
+// What a predictor carries from step to step would be lost if every job began anew.
+TEST(Rollout, IsOneRolloutOfThePredictorInShortJobs) {
+  std::vector<std::string> calls;
+  const auto worker = ready_worker([&] { return std::make_unique<CountingPredictor>(calls); });
+  roll_out(*worker, {flying("a", Flight())}, settings(20));
+  EXPECT_EQ(calls, std::vector<std::string>({"start", "8", "8", "4"}));
 }
 
 TEST(Rollout, LengthScaleLeavesFreeFallUnchanged) {
@@ -176,7 +205,7 @@ TEST(InferenceWorker, P15_says_why_the_model_is_missing_and_passes_errors_on) {
       []() -> std::unique_ptr<rigidformer::Predictor> { throw std::runtime_error("no such file: x.safetensors"); });
   EXPECT_EQ(failed->state(), InferenceWorker::State::kFailed);
   EXPECT_NE(failed->message().find("x.safetensors"), std::string::npos);
-  EXPECT_THROW(failed->predict({}, {}), std::logic_error);
+  EXPECT_THROW(failed->run(predict_nothing), std::logic_error);
 
   class Throwing : public BallisticPredictor {
     rigidformer::Forecast predict(const std::vector<ObjectState>&, const rigidformer::RolloutOptions&) override {
@@ -184,8 +213,8 @@ TEST(InferenceWorker, P15_says_why_the_model_is_missing_and_passes_errors_on) {
     }
   };
   const auto worker = ready_worker([] { return std::make_unique<Throwing>(); });
-  EXPECT_THROW(worker->predict({}, {}).get(), std::runtime_error);
-  EXPECT_THROW(worker->predict({}, {}).get(), std::runtime_error);
+  EXPECT_THROW(worker->run(predict_nothing).get(), std::runtime_error);
+  EXPECT_THROW(worker->run(predict_nothing).get(), std::runtime_error);
 }
 
 // Its warm-up lasts until somebody allows it to end.
@@ -205,7 +234,7 @@ TEST(InferenceWorker, P17_is_ready_only_after_the_warm_up) {
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(worker.state(), InferenceWorker::State::kLoading);
   EXPECT_NE(worker.message().find("warmed up"), std::string::npos);
-  EXPECT_THROW(worker.predict({}, {}), std::logic_error);
+  EXPECT_THROW(worker.run(predict_nothing), std::logic_error);
   warm.set_value();
   while (worker.state() == InferenceWorker::State::kLoading) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
