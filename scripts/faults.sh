@@ -86,17 +86,24 @@ publisher_killed() {
   wait_for 30 has_forecast && echo "forecasts again after a restart of the publisher"
 }
 
+# Who listens already goes on listening; the clouds and the clock of the publisher come without the master too.
 master_killed() {
   start_all || { echo "no forecast to begin with"; return 1; }
+  : >"$logs/forecasts.log"
+  PYTHONUNBUFFERED=1 rostopic echo /forecast/header/stamp >>"$logs/forecasts.log" &
+  wait_for 20 test -s "$logs/forecasts.log" || { echo "nobody hears the forecasts"; return 1; }
   kill -9 "$master"
+  sleep 2
+  : >"$logs/forecasts.log"
   sleep 3
   kill -0 "$node" || { echo "the node died with the master"; return 1; }
+  [ -s "$logs/forecasts.log" ] || { echo "no forecast without the master"; return 1; }
   start_master
   wait_for 20 is_gone "$node" || { echo "the node goes on, unknown to the new master"; return 1; }
   wait "$node"
   local code=$?
   grep -q 'master was restarted' "$logs/node.log" && [ "$code" -eq 1 ] &&
-    echo "runs on without a master; ends with code 1 and an explanation when a new one does not know it"
+    echo "forecasts on without a master; ends with code 1 and an explanation when a new one does not know it"
 }
 
 interrupt_idle() {

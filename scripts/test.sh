@@ -85,6 +85,9 @@ messages_only_build() {
     test -f "$build/devel/include/rigidformer_ros/PredictRollout.h" && ! grep -q prediction_node "$build/build.ninja"
 }
 
+# As catkin_make_isolated and catkin_tools do, without the project of a workspace around the package.
+configure_alone() { cmake -S "$root" -B "$workspace/alone" -GNinja -DPYTHON_EXECUTABLE=/usr/bin/python3; }
+
 mkdir -p "$logs"
 check setup "$root/scripts/setup.sh" || finish
 check build "$root/scripts/build.sh" --workspace "$workspace" --tests --install || finish
@@ -97,6 +100,7 @@ done
 check install_space "$root/scripts/check_install_space.sh" "$workspace/install"
 check plain_build plain_build
 check messages_only_build messages_only_build
+check configure_alone configure_alone
 # Left out: wishes on names and order, headers in one folder only, installed test programs and developers' scripts, folders
 # below a variable that the checker cannot resolve (the install space is checked for real).
 lint_ignored=(package_path_name global_var_collision literal_project_name unsorted_list external_interface_path

@@ -25,7 +25,7 @@ class ObjectPublishers {
     std::map<std::string, ros::Publisher> current;
     for (const std::string& id : ids) {
       const auto known = publishers_.find(id);
-      current[id] = known != publishers_.end() ? known->second : node_.template advertise<Message>(topic_of_(id), 1);
+      current[id] = known != publishers_.end() ? known->second : advertise(id);
     }
     publishers_ = std::move(current);  // the topics of the others end here
   }
@@ -39,6 +39,12 @@ class ObjectPublishers {
   }
 
  private:
+  // A handle keeps a piece of memory for every topic that it ever offered: with one for all, objects that come and go
+  // would fill the memory of a node that runs for days.
+  ros::Publisher advertise(const std::string& id) const {
+    return ros::NodeHandle(node_).advertise<Message>(topic_of_(id), 1);
+  }
+
   ros::NodeHandle node_;
   TopicOf topic_of_;
   std::map<std::string, ros::Publisher> publishers_;  ///< By object id

@@ -4,6 +4,7 @@
 
 #include <ros/console.h>
 #include <ros/master.h>
+#include <ros/this_node.h>
 
 #include <utility>
 
@@ -20,6 +21,23 @@ std::string resolve_pattern(const ros::NodeHandle& node, const std::string& patt
   }
   const std::string& ns = node.getNamespace();
   return ns.back() == '/' ? ns + pattern : ns + "/" + pattern;
+}
+
+// None while the master is away. ros::master::getTopics() would wait for it, and the clouds of known objects with it.
+ros::master::V_TopicInfo published_topics() {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue list;
+  request[0] = ros::this_node::getName();
+  request[1] = "";  // of every namespace
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::execute("getPublishedTopics", request, response, list, /*wait_for_master=*/false)) {
+    return topics;
+  }
+  for (int i = 0; i < list.size(); ++i) {
+    topics.emplace_back(static_cast<std::string&>(list[i][0]), static_cast<std::string&>(list[i][1]));
+  }
+  return topics;
 }
 
 }  // namespace
@@ -48,11 +66,7 @@ void ObjectInputs::subscribe(const ListedObject& source) {
 }
 
 void ObjectInputs::discover() {
-  ros::master::V_TopicInfo topics;
-  if (!ros::master::getTopics(topics)) {
-    return;  // the master is away for the moment; the timer asks again
-  }
-  for (const ros::master::TopicInfo& topic : topics) {
+  for (const ros::master::TopicInfo& topic : published_topics()) {
     const auto id = match_topic(pattern_, topic.name);
     if (id && topic.datatype == "sensor_msgs/PointCloud2" && ids_.count(*id) == 0 &&
         subscribers_.count(topic.name) == 0) {

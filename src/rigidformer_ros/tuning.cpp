@@ -16,15 +16,16 @@ namespace rigidformer_ros {
 
 namespace {
 
+// These begin with the generated defaults: nothing else sets the state of a group, and copying it unset is undefined.
 PredictConfig to_config(const PredictParameters& predict) {
-  PredictConfig config;
+  PredictConfig config = PredictConfig::__getDefault__();
   config.rate = predict.rate;
   config.num_steps = predict.num_steps;
   return config;
 }
 
 DisplayConfig to_config(const DisplayParameters& display) {
-  DisplayConfig config;
+  DisplayConfig config = DisplayConfig::__getDefault__();
   config.markers = display.markers;
   config.ghost_every = display.ghost_every;
   config.max_ghost_points = display.max_ghost_points;
@@ -36,7 +37,7 @@ DisplayConfig to_config(const DisplayParameters& display) {
 }
 
 DiagnosticsConfig to_config(const DiagnosticsParameters& diagnostics) {
-  DiagnosticsConfig config;
+  DiagnosticsConfig config = DiagnosticsConfig::__getDefault__();
   config.max_input_age = diagnostics.max_input_age;
   config.max_processing_time = diagnostics.max_processing_time;
   config.max_consecutive_delay = diagnostics.max_consecutive_delay;

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <malloc.h>
+#include <nav_msgs/Path.h>
 #include <rigidformer_ros/ObjectClouds.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include "rigidformer_ros/labelled_cloud_maker.hpp"
 #include "rigidformer_ros/node/node_client.hpp"
+#include "rigidformer_ros/object_publishers.hpp"
 
 namespace rigidformer_ros::testing {
 namespace {
@@ -161,6 +164,21 @@ TEST_F(SceneInputsTest, P05_ALostTrackerLosesTheObjectUntilItIsBack) {
   stream([this](const ros::Time& stamp, double t) { publish_labelled(stamp, t); });
   EXPECT_EQ(forecasts().count("obj_77"), 0U);
   EXPECT_EQ(forecasts().count("cup"), 1U);
+}
+
+// roscpp keeps 300 bytes for every topic that a node handle ever offered.
+TEST(ObjectPublishers, P18_objects_that_come_and_go_leave_no_memory_behind) {
+  ObjectPublishers<nav_msgs::Path> publishers(ros::NodeHandle(), [](const std::string& id) { return "passing/" + id; });
+  const auto come_and_go = [&](int times) {
+    for (int i = 0; i < times; ++i) {
+      publishers.set_objects({"a"});
+      publishers.set_objects({});
+    }
+  };
+  come_and_go(20);  // allocates what stays
+  const auto before = static_cast<double>(::mallinfo2().uordblks);
+  come_and_go(100);
+  EXPECT_LT(static_cast<double>(::mallinfo2().uordblks) - before, 100 * 100.0);
 }
 
 }  // namespace
