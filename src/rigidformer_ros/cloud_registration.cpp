@@ -30,17 +30,6 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   return m;
 }
 
-Eigen::Quaterniond rotation_from(const Eigen::Vector3d& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  return angle > 0.0 ? Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle))
-                     : Eigen::Quaterniond::Identity();
-}
-
-Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
-  const Eigen::AngleAxisd turn(rotation);
-  return (turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle()) * turn.axis();
-}
-
 /// A cloud point against the reference, in the object frame.
 struct Residual {
   Eigen::Vector3d vector;  ///< From the nearest reference point of its face
@@ -185,9 +174,9 @@ RigidTransform Registration::align(const RigidTransform& T_world_start) const {
     const Eigen::Vector3d center = T_object_world * center_world;
     const RigidTransform back = T_object_start * T_object_world.inverse();
     Vector6d to_start;
-    to_start << radius() * rotation_vector(back.rotation), back * center - center;
+    to_start << radius() * rigidformer::rotation_vector(back.rotation), back * center - center;
     const Vector6d step = solve(linearize(T_object_world, center, kernel_m), to_start);
-    const Eigen::Quaterniond turn = rotation_from(step.head<3>() / radius());
+    const Eigen::Quaterniond turn = rigidformer::rotation_about(step.head<3>() / radius());
     T_object_world = RigidTransform{turn, center + step.tail<3>() - turn * center} * T_object_world;
     const bool narrow = kernel_m <= inlier_distance_m_;
     kernel_m = std::max(kNarrowing * kernel_m, inlier_distance_m_);
