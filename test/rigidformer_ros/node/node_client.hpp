@@ -67,7 +67,9 @@ class NodeClient {
   static Rollout::Response call(const Rollout::Request& request) {
     Rollout service;
     service.request = request;
-    EXPECT_TRUE(ros::service::call("predict_rollout", service)) << "the handler must always return true";
+    // Persistent: roscpp closes other connections behind the answer, and its client then sometimes loses it.
+    ros::ServiceClient connection = ros::NodeHandle().serviceClient<Rollout>("predict_rollout", /*persistent=*/true);
+    EXPECT_TRUE(connection.call(service)) << "the handler must always return true";
     return service.response;
   }
 
