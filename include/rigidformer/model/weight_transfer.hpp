@@ -8,8 +8,9 @@
 
 namespace rigidformer {
 
-/// Copies weights into a model with the same layers or with layers that have more inputs or outputs. What is new starts
-/// at zero, so that an extended model begins as the one it comes from. Throws std::invalid_argument naming the tensor
+/// Copies weights into a model with the same layers, with layers that have more inputs or outputs, or with further
+/// layers. New inputs and outputs start at zero, so that an extended model begins as the one it comes from; further
+/// layers stay as they are. Throws std::invalid_argument naming the tensor
 /// that `to` lacks or that is smaller there.
 void transfer_weights(const RigidFormer& from, RigidFormer& to);
 
