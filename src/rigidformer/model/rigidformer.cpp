@@ -13,6 +13,7 @@ namespace {
 constexpr double kStepUnit = 10.0;     // frames; keeps the FiLM code (s, s^2) near one
 constexpr double kPositionUnit = 5.0;  // [m] half the MOVi arena
 constexpr double kFirstEngineLogit = 1.5;
+constexpr double kEngineShareScale = 1.1;  // above 1: a share of exactly 1 lies within reach
 
 /// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim]. A scene without a command has c = 0.
 Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
@@ -123,10 +124,12 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   return predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
 }
 
-/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly.
+/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly. What the
+/// engine sees completely is best left to it alone, which a sigmoid never quite does: it is scaled and cut off at 1.
 Tensor RigidFormerImpl::engine_share(const Tensor& outputs) const {
   const Tensor logit = outputs.slice(-1, 6);
-  return fixed_engine_share ? torch::full_like(logit, *fixed_engine_share) : (logit + kFirstEngineLogit).sigmoid();
+  if (fixed_engine_share) return torch::full_like(logit, *fixed_engine_share);
+  return (kEngineShareScale * (logit + kFirstEngineLogit).sigmoid()).clamp_max(1.0);
 }
 
 RigidFormerImpl::AnchorDeviation RigidFormerImpl::deviation_of(const SceneBatch& batch, const Tensor& outputs) const {
