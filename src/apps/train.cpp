@@ -9,6 +9,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Trains a RigidFormer model on simulated or recorded scenes."};
   rigidformer::TrainCommand command;
   app.add_option("--config", command.config, "Training file, see config/train/")->required()->check(CLI::ExistingFile);
+  app.add_option("--set", command.overrides, "KEY=VALUE or SECTION.KEY=VALUE instead of what the training file says")
+      ->allow_extra_args(false);
   app.add_option("--data", command.paths.data, "Folders of scenes to learn from")->required();
   app.add_option("--validation", command.paths.validation, "Folders of scenes never learned from");
   app.add_option("--shapes", command.paths.shapes, "Shape library for Kubric folders");

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "rigidformer/training/trainer.hpp"
 
@@ -13,6 +15,7 @@ namespace rigidformer {
 /// The command line of the `train` tool.
 struct TrainCommand {
   std::filesystem::path config;
+  std::vector<std::string> overrides;  ///< Of the training file, see load_training_options
   TrainingPaths paths;
   TrainingMachine machine;
   std::int64_t iterations = 0;  ///< 0 = as in the training file

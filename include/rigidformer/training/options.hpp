@@ -61,8 +61,10 @@ struct TrainingOptions {
   int validation_scenes = 30;  ///< Per archive folder, for rollouts
 };
 
-/// Reads a YAML file; keys left out keep their default (the model's preset for `model:`). Throws std::invalid_argument
-/// naming file, key and accepted values for unknown keys, wrong types and values out of range.
-TrainingOptions load_training_options(const std::filesystem::path& file);
+/// Reads a YAML file; keys left out keep their default (the model's preset for `model:`). `overrides` go before the
+/// file, each "key=value" or "section.key=value" with a value in YAML. Throws std::invalid_argument naming file, key
+/// and accepted values for unknown keys, wrong types and values out of range.
+TrainingOptions load_training_options(const std::filesystem::path& file,
+                                      const std::vector<std::string>& overrides = {});
 
 }  // namespace rigidformer

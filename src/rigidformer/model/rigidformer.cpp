@@ -124,8 +124,9 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   return predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
 }
 
-/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly. What the
-/// engine sees completely is best left to it alone, which a sigmoid never quite does: it is scaled and cut off at 1.
+/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly. What
+/// the engine sees completely is best left to it alone, which a sigmoid never quite does: it is scaled and cut off
+/// at 1.
 Tensor RigidFormerImpl::engine_share(const Tensor& outputs) const {
   const Tensor logit = outputs.slice(-1, 6);
   if (fixed_engine_share) return torch::full_like(logit, *fixed_engine_share);

@@ -10,7 +10,7 @@ namespace rigidformer {
 
 int run_train(const TrainCommand& command, std::ostream& log) {
   try {
-    TrainingOptions options = load_training_options(command.config);
+    TrainingOptions options = load_training_options(command.config, command.overrides);
     if (command.iterations > 0) options.iterations = command.iterations;
     train(options, command.paths, command.machine);
     return 0;

@@ -201,12 +201,28 @@ void validate(const TrainingOptions& o) {
   for (const UnrollStage& stage : o.unroll) require(stage.steps >= 0, "'unroll[].steps' must not be negative");
 }
 
+/// Puts "key=value" or "section.key=value" into the document.
+void override_value(YAML::Node& document, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  require(equals != std::string::npos, "'" + assignment + "' must look like section.key=value");
+  const std::string key = assignment.substr(0, equals);
+  const std::size_t dot = key.find('.');
+  const YAML::Node value = YAML::Load(assignment.substr(equals + 1));
+  if (dot == std::string::npos) {
+    document[key] = value;
+  } else {
+    document[key.substr(0, dot)][key.substr(dot + 1)] = value;
+  }
+}
+
 }  // namespace
 
-TrainingOptions load_training_options(const std::filesystem::path& file) {
+TrainingOptions load_training_options(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   TrainingOptions options;
   try {
-    Section root(YAML::LoadFile(file.string()), "");
+    YAML::Node document = YAML::LoadFile(file.string());
+    for (const std::string& assignment : overrides) override_value(document, assignment);
+    Section root(document, "");
     read_model(root.section("model"), options.model);
     read_windows(root.section("windows"), options.windows);
     read_augmentation(root.section("augmentation"), options.augmentation);

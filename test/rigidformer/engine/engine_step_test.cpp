@@ -190,9 +190,16 @@ TEST(EngineStep, BatchAndOneByOneAgree) {
   EXPECT_EQ(largest_difference(together.rotation, torch::cat({a.rotation, b.rotation})), 0.0);
 }
 
+/// Moves the engine's share of a step, the last of the anchors' outputs.
+void trust_engine(RigidFormer& model, double logit) {
+  torch::NoGradGuard no_grad;
+  model->named_parameters()["predictor.head.second.bias"].slice(0, 6).fill_(logit);
+}
+
 TEST(EngineStep, ItsShareCanBeFixed) {
   RandomScene scene = random_scene(1, {{20, 9, 16}});
   RigidFormer model = random_model(engine_options());
+  trust_engine(model, -2.0);
   model->options.contact_gate = false;
   const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
   const EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state);
@@ -203,6 +210,20 @@ TEST(EngineStep, ItsShareCanBeFixed) {
   EXPECT_LT(distance(1.0), 1e-9);
   EXPECT_GT(distance({}), 1e-3);
   EXPECT_GT(distance(0.0), distance({}));
+}
+
+TEST(EngineStep, TheNetworkCanLeaveAStepToItEntirely) {
+  RandomScene scene = random_scene(1, {{20, 9, 16}});
+  RigidFormer model = random_model(engine_options());
+  model->options.contact_gate = false;
+  const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
+  const EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state);
+  const auto distance = [&](double logit) {
+    trust_engine(model, logit);
+    return largest_difference(predict(model, scene).pose.translation, engine.pose.translation);
+  };
+  EXPECT_GT(distance(-2.0), 1e-3);
+  EXPECT_LT(distance(5.0), 1e-9);
 }
 
 TEST(EngineStep, TheNetworkReadsAndUsesIt) {

@@ -108,6 +108,32 @@ log_every: 13
   EXPECT_EQ(o.log_every, 13);
 }
 
+TEST_F(TrainingOptionsTest, OverridesGoBeforeTheFile) {
+  write_text(path_, "model: {preset: small, contact_gate: true}\niterations: 5");
+  const TrainingOptions o =
+      load_training_options(path_, {"model.contact_gate=false", "iterations=7", "windows.step_sizes=[2, 3]",
+                                    "unroll=[{from: 0, steps: 2}]", "optimizer.learning_rate=0.5"});
+  EXPECT_EQ(o.model.preset, "small");
+  EXPECT_FALSE(o.model.contact_gate);
+  EXPECT_EQ(o.iterations, 7);
+  EXPECT_EQ(o.windows.step_sizes, (std::vector<int>{2, 3}));
+  EXPECT_EQ(o.unroll.at(0).steps, 2);
+  EXPECT_EQ(o.optimizer.learning_rate, 0.5);
+}
+
+TEST_F(TrainingOptionsTest, WrongOverridesAreNamed) {
+  write_text(path_, "iterations: 5");
+  const std::pair<const char*, const char*> wrong[] = {{"iterations", "'iterations' must look like"},
+                                                       {"model.contact_gates=false", "'model.contact_gates'"},
+                                                       {"iterations=many", "'iterations'"},
+                                                       {"iterations.most=3", path_.c_str()},
+                                                       {"model.preset=[", path_.c_str()}};
+  for (const auto& [assignment, word] : wrong) {
+    const std::string message = error_of([&] { load_training_options(path_, {assignment}); });
+    EXPECT_NE(message.find(word), std::string::npos) << assignment << "\n  " << message;
+  }
+}
+
 TEST_F(TrainingOptionsTest, UnknownKeysAreRefusedWithTheKnownOnes) {
   expect_refusal("iteration: 5", "'iteration'");
   expect_refusal("iteration: 5", "iterations");
