@@ -115,7 +115,7 @@ TEST_F(SceneIntakeTest, PropertiesComeFromTheLabelThenTheRules) {
   parameters.input.label_names[1].properties.mass_kg = 0.3;
   parameters.properties.objects = {{"c*", {0.1, 0.7, {}}}};
   intake().take_labelled("/cloud", labelled({3}));
-  const auto& cup = objects().at("cup").state.properties;
+  const auto cup = objects().at("cup").state.properties;
   EXPECT_EQ(cup.mass_kg, 0.3);
   EXPECT_EQ(cup.friction, 0.7);
   EXPECT_FALSE(cup.restitution.has_value());
