@@ -11,6 +11,7 @@ struct ObservedHull {
   ConvexPart hull;                 ///< Relative to the centre of mass [m]
   Eigen::Vector3d centre_of_mass;  ///< In the frame of the points [m]
   double volume_m3 = 0.0;
+  bool complete = false;  ///< All sides are seen
 };
 
 /// Convex hull of the points [N, 3], at least one. Where its centre lies near the estimated centre of mass, all sides

@@ -74,6 +74,7 @@ using NearestSearch = std::function<Nearest(const SceneBatch&, const Pose& curre
 struct EngineMotion {
   Pose pose;       ///< At t + 1
   Pose departure;  ///< Pose at t from which free motion arrives at `pose` with the velocity that the engine gives it
+  Tensor certain;  ///< [B, K] bool, true = moving, seen from all sides, of known material; undefined = none is
 };
 
 /// One step of a physics engine on the objects of a batch.

@@ -62,7 +62,7 @@ struct RigidFormerImpl : torch::nn::Module {
 
   Tensor predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
                                 const Tensor& points_world, const Nearest& nearest, const EngineMotion& engine);
-  Tensor engine_share(const Tensor& outputs) const;
+  Tensor engine_share(const Tensor& outputs, const EngineMotion& engine) const;
   AnchorDeviation deviation_of(const SceneBatch& batch, const Tensor& outputs) const;
   void mix_with_engine(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
                        const EngineMotion& engine, const Tensor& share, AnchorDeviation& deviation) const;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTouching_m = 0.01;       // of the ground; sampled points miss the lowest corner by a little
 constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground rests or rolls
+constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point at most
 constexpr double kUnknownDensity = 1.0;    // [kg/m^3]
 
 double value(const Tensor& tensor) { return tensor.item<double>(); }
@@ -70,7 +71,7 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
   for (int64_t k = 0; k < batch.max_objects(); ++k) {
     if (!batch.object_mask[b][k].item<bool>()) continue;
     const Tensor c = centre_reference[b][k];
-    bodies_.push_back({k, batch.dynamic_mask[b][k].item<bool>(), {value(c[0]), value(c[1]), value(c[2])}, {}});
+    bodies_.push_back({k, batch.dynamic_mask[b][k].item<bool>(), {value(c[0]), value(c[1]), value(c[2])}, {}, false});
     solids.push_back(observe_solid(batch, b, bodies_.back()));
     total_mass_kg += *solids.back().properties.mass_kg;
   }
@@ -86,6 +87,7 @@ EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, int64_t b
   const ObservedHull observed =
       observe_hull(seen_points(batch, b, body.object), body.centre_reference, hidden_points(batch, b, body.object));
   body.centre_reference = observed.centre_of_mass;
+  body.fully_known = observed.complete && (batch.properties_known[b][body.object] > 0.0).all().item<bool>();
   return {observed.hull, properties_of(batch, b, body.object, observed.volume_m3)};
 }
 
@@ -99,11 +101,12 @@ void EngineScene::add_body(const Solid& solid, Body& body) {
   body.hull = solid.hull.vertices;
 }
 
-void EngineScene::step(PoseTable& previous, PoseTable& current) {
+void EngineScene::step(PoseTable& previous, PoseTable& current, Tensor& certain) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
-    world_.set_state(static_cast<int>(i),
-                     observe(body, previous.get(scene_, body.object), current.get(scene_, body.object)));
+    const BodyState state = observe(body, previous.get(scene_, body.object), current.get(scene_, body.object));
+    world_.set_state(static_cast<int>(i), state);
+    certain[scene_][body.object] = is_certain(body, state);
   }
   world_.step_frame();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -137,6 +140,12 @@ RigidTransform EngineScene::departure(const Body& body, const BodyState& arrived
 double EngineScene::half_fall() const {
   const BulletSettings settings = settings_of(time_step_s_, gravity_);
   return 0.5 * gravity_ * time_step_s_ * (1.0 - 1.0 / settings.substeps);
+}
+
+/// Whether something keeps still or tips over depends on the few points it stands on, which a sampled hull misses.
+bool EngineScene::is_certain(const Body& body, const BodyState& state) {
+  const double radius = static_cast<double>(body.hull.rowwise().norm().maxCoeff());
+  return body.fully_known && state.velocity.norm() + radius * state.angular_velocity.norm() > kCertainSpeed_mps;
 }
 
 bool EngineScene::falls(const Body& body, const BodyState& state) const {

@@ -16,8 +16,8 @@ class EngineScene {
   EngineScene(const SceneBatch& batch, const Tensor& centre_reference, int64_t b);
 
   /// Takes the poses one step ahead: `current` to t + 1, `previous` to where free motion departs at t to arrive there
-  /// with the velocities that the bodies have.
-  void step(PoseTable& previous, PoseTable& current);
+  /// with the velocities that the bodies have. Writes into `certain` [B, K] bool for which objects nothing is guessed.
+  void step(PoseTable& previous, PoseTable& current, Tensor& certain);
 
  private:
   struct Body {
@@ -25,6 +25,7 @@ class EngineScene {
     bool dynamic = true;               ///< Else its motion is given
     Eigen::Vector3d centre_reference;  ///< Centre of mass in the reference frame [m]
     Points hull;                       ///< Vertices relative to the centre of mass [m]
+    bool fully_known = false;          ///< Seen from all sides and of known material
   };
 
   struct Solid {
@@ -38,6 +39,7 @@ class EngineScene {
   RigidTransform departure(const Body& body, const BodyState& arrived) const;
   double half_fall() const;
   bool falls(const Body& body, const BodyState& state) const;
+  static bool is_certain(const Body& body, const BodyState& state);
   RigidTransform on_ground(const Body& body, const RigidTransform& T_world_reference) const;
   RigidTransform from_ground(const Body& body, RigidTransform T_ground_body) const;
 

@@ -21,7 +21,7 @@ Points joined(const Points& a, const Points& b) {
 ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of_mass, const Points& hidden) {
   const Eigen::RowVector3f centre = centre_of_mass.cast<float>().transpose();
   const Points centred = with_thickness(points.rowwise() - centre);
-  ObservedHull observed{convex_hull(centred), centre_of_mass, 0.0};
+  ObservedHull observed{convex_hull(centred), centre_of_mass, 0.0, false};
   const MeshVolume seen = measure_volume(observed.hull);
   if (seen.centroid.norm() > kOneSided * static_cast<double>(centred.rowwise().norm().maxCoeff())) {
     const Points other_side = hidden.rows() > 0 ? Points(hidden.rowwise() - centre) : Points(-centred);
@@ -32,6 +32,7 @@ ObservedHull observe_hull(const Points& points, const Eigen::Vector3d& centre_of
   observed.hull.vertices.rowwise() -= seen.centroid.cast<float>().transpose();
   observed.centre_of_mass += seen.centroid;
   observed.volume_m3 = seen.volume_m3;
+  observed.complete = true;
   return observed;
 }
 

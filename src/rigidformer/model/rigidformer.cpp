@@ -80,7 +80,7 @@ StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneStat
   const Tensor outputs = predict_anchor_outputs(batch, state, base, x, nearest, engine);
 
   AnchorDeviation deviation = deviation_of(batch, outputs);
-  if (options.engine_motion) mix_with_engine(batch, state, base, engine, engine_share(outputs), deviation);
+  if (options.engine_motion) mix_with_engine(batch, state, base, engine, engine_share(outputs, engine), deviation);
   if (options.contact_gate) close_contact_gate(batch, base, x, deviation);
 
   const Tensor q = batch.anchors_reference();
@@ -125,12 +125,12 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
 }
 
 /// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly. What
-/// the engine sees completely is best left to it alone, which a sigmoid never quite does: it is scaled and cut off
-/// at 1.
-Tensor RigidFormerImpl::engine_share(const Tensor& outputs) const {
+/// the engine needs no guess for is left to it alone.
+Tensor RigidFormerImpl::engine_share(const Tensor& outputs, const EngineMotion& engine) const {
   const Tensor logit = outputs.slice(-1, 6);
   if (fixed_engine_share) return torch::full_like(logit, *fixed_engine_share);
-  return (kEngineShareScale * (logit + kFirstEngineLogit).sigmoid()).clamp_max(1.0);
+  const Tensor share = (kEngineShareScale * (logit + kFirstEngineLogit).sigmoid()).clamp_max(1.0);
+  return engine.certain.defined() ? share.masked_fill(engine.certain.unsqueeze(-1).unsqueeze(-1), 1.0) : share;
 }
 
 RigidFormerImpl::AnchorDeviation RigidFormerImpl::deviation_of(const SceneBatch& batch, const Tensor& outputs) const {

@@ -226,6 +226,33 @@ TEST(EngineStep, TheNetworkCanLeaveAStepToItEntirely) {
   EXPECT_LT(distance(5.0), 1e-9);
 }
 
+TEST(EngineStep, WhatMovesIsSeenFromAllSidesAndOfKnownMaterialIsCertain) {
+  Cubes cubes(4);
+  for (int64_t k = 0; k < 3; ++k) cubes.place(k, {3.0 * static_cast<double>(k), 0.0, 0.4}, {0.0, 0.0, -2.0});
+  cubes.place(3, {9.0, 0.0, 0.5}, {0.1, 0.0, 0.0});
+  cubes.batch.properties_known[0][1][2] = 0.0;
+  cubes.batch.point_mask[0][2].slice(0, 4) = false;  // one face
+  const EngineMotion motion = cubes.engine()(cubes.state);
+  EXPECT_TRUE(torch::equal(motion.certain, torch::tensor({{true, false, false, false}})));
+}
+
+TEST(EngineStep, TheNetworkHasNoShareInWhatIsCertain) {
+  RandomScene scene = random_scene(1, {{20, 9, 16}});
+  RigidFormer model = random_model(engine_options());
+  model->options.contact_gate = false;
+  trust_engine(model, -20.0);
+  const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
+  EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state);
+  engine.certain = torch::tensor({{false, true, false}});
+  torch::NoGradGuard no_grad;
+  const StepPrediction prediction = model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix,
+                                                   [&](const SceneState&) { return engine; });
+  const Tensor distance = (prediction.pose.translation - engine.pose.translation).norm(2, -1)[0];
+  EXPECT_GT(distance[0].item<double>(), 1e-3);
+  EXPECT_LT(distance[1].item<double>(), 1e-9);
+  EXPECT_GT(distance[2].item<double>(), 1e-3);
+}
+
 TEST(EngineStep, TheNetworkReadsAndUsesIt) {
   RandomScene scene = random_scene(1, {{20, 9, 16}});
   RigidFormer model = random_model(engine_options());
@@ -234,7 +261,7 @@ TEST(EngineStep, TheNetworkReadsAndUsesIt) {
   torch::NoGradGuard no_grad;
   const StepPrediction prediction = predict(model, scene);
   const auto moved = [&](const SceneState& state) {
-    EngineMotion motion{state.current, state.current};
+    EngineMotion motion{state.current, state.current, Tensor()};
     motion.pose.translation = motion.pose.translation + 0.1;
     return motion;
   };

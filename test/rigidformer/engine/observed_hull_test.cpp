@@ -36,6 +36,7 @@ Points cube_faces(Keep&& keep) {
 
 TEST(ObservedHull, OfACompleteCloudIsItsHullAroundTheCentreOfMass) {
   const ObservedHull observed = observe_hull(cube_faces([](int, float) { return true; }), kCentre);
+  EXPECT_TRUE(observed.complete);
   EXPECT_NEAR(observed.volume_m3, 1.0, 1e-5);
   EXPECT_NEAR(observed.hull.vertices.maxCoeff(), 0.5, 1e-6);
   EXPECT_NEAR(observed.hull.vertices.minCoeff(), -0.5, 1e-6);
@@ -51,6 +52,7 @@ TEST(ObservedHull, TheCentreOfACompleteHullCorrectsTheEstimate) {
 TEST(ObservedHull, OneSideIsCompletedThroughTheCentreOfMass) {
   const auto seen = [](int axis, float side) { return axis != 0 && side > 0.0F; };
   const ObservedHull observed = observe_hull(cube_faces(seen), kCentre);
+  EXPECT_FALSE(observed.complete);
   EXPECT_EQ(observed.centre_of_mass, kCentre);
   EXPECT_NEAR(observed.volume_m3, 1.0, 1e-5);
   EXPECT_NEAR(observed.hull.vertices.minCoeff(), -0.5, 1e-6);
