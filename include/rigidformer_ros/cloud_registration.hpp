@@ -35,8 +35,9 @@ CloudRegistration measure_pose(const ReferenceCloud& reference, const SurfaceClo
 
 /// Pose of the reference in the cloud: robust point-to-plane iterations (point-to-point where the reference has no
 /// normal) that also hold the ends of faces in place, from `T_world_predicted` or, where that starts closer,
-/// `T_world_shifted`. What the cloud does not determine, such as the spin of a ball, stays as predicted. Fewer than
-/// `kMinRegisteredPoints` give an objection.
+/// `T_world_shifted`, with at most `max_registered_points`. Where the cloud could then slide along its faces, the ends
+/// of these, seen in all points, say how far it has. What the cloud does not determine, such as the spin of a ball,
+/// stays as predicted. Fewer than `kMinRegisteredPoints` give an objection.
 CloudRegistration register_cloud(const ReferenceCloud& reference, const SurfaceCloud& cloud_world,
                                  const RigidTransform& T_world_predicted, const RigidTransform& T_world_shifted,
                                  const CorrespondenceParameters& parameters);

@@ -31,19 +31,21 @@ class ReferenceCloud {
   const Points& points() const { return tree_.points(); }  ///< [N, 3] m
   const Points& normals() const { return normals_; }       ///< [N, 3], sign arbitrary; zero = no normal
   const Points& borders() const { return borders_; }       ///< [N, 3], outward where a face ends; zero elsewhere
-  double size_m() const { return size_m_; }                ///< Diameter of what is known
+  /// The points that were averaged for a row, some of those seen there.
+  const std::vector<Eigen::Vector3f>& seen(int row) const { return samples_[static_cast<std::size_t>(row)].points; }
+  double size_m() const { return size_m_; }  ///< Diameter of what is known
   double voxel_size_m() const { return voxel_size_m_; }
 
  private:
   using VoxelKey = std::array<int, 3>;
   /// The mean of the points seen at one place of one face.
   struct Sample {
+    std::vector<Eigen::Vector3f> points;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     Eigen::Vector3f normal_sum = Eigen::Vector3f::Zero();
-    int count = 0;
 
     void add(const Eigen::Vector3f& point, const Eigen::Vector3f& normal);
-    Eigen::Vector3f mean() const { return sum / static_cast<float>(count); }
+    Eigen::Vector3f mean() const { return sum / static_cast<float>(points.size()); }
     Eigen::Vector3f normal() const;
   };
   /// A place where there may be new surface.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "rigidformer/geometry/rigid_transform.hpp"
 #include "rigidformer_ros/point_tree.hpp"
 
 namespace rigidformer_ros {
@@ -11,6 +12,14 @@ struct SurfaceCloud {
   Points points;   ///< [N, 3] m
   Points normals;  ///< [N, 3] unit, sign arbitrary; zero = none
 };
+
+/// `count` evenly spaced rows, or all: sensors deliver points by pixel, so that neighbours in the cloud are neighbours
+/// in the image.
+Points thin(const Points& points, Eigen::Index count);
+SurfaceCloud thin(const SurfaceCloud& cloud, Eigen::Index count);
+
+/// The cloud `T_b_a * cloud_a`.
+SurfaceCloud transform(const rigidformer::RigidTransform& T_b_a, const SurfaceCloud& cloud_a);
 
 /// Whether two unit normals of arbitrary sign can be those of one face. Zero fits zero only.
 bool on_same_face(const Eigen::Vector3f& normal_a, const Eigen::Vector3f& normal_b);

@@ -5,6 +5,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "rigidformer_ros/slide.hpp"
 
 namespace rigidformer_ros {
 
@@ -21,6 +24,8 @@ constexpr double kNarrowing = 0.7;        // of the kernel, per iteration
 constexpr double kConverged = 3e-4;       // [size] of a step
 constexpr double kPrior = 0.003;          // pull of the start, relative to the cloud's mean pull on a translation
 constexpr double kBorderWeight = 0.2;     // of a distance along the surface where it ends, against one from a plane
+constexpr double kWeak = 0.03;            // of the information per point along a direction that the planes leave open
+constexpr double kInPlane = 0.95;         // cosine between normals of one plane
 constexpr double kClearlyBetter = 0.8;    // misfit of the shifted start against the predicted one
 constexpr double kRandomResiduals = 0.6;  // [inlier distance] RMSE of points that lie anywhere within it
 
@@ -28,6 +33,22 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
   m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
   return m;
+}
+
+// Of two directions along a plane (the third column is its normal), the two that its borders are square to: a face ends
+// most sharply there.
+Eigen::Matrix3d square_to_borders(const ReferenceCloud& reference, const Eigen::Matrix3d& directions) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (Eigen::Index i = 0; i < reference.borders().rows(); ++i) {
+    const Eigen::Vector3d border = directions.transpose() * reference.borders().row(i).transpose().cast<double>();
+    const double normal = reference.normals().row(i).cast<double>().dot(directions.col(2));
+    if (std::abs(normal) > kInPlane && !border.isZero()) {
+      const double angle = 4.0 * std::atan2(border.y(), border.x());  // a quarter turn makes no difference
+      sum += Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    }
+  }
+  const double angle = 0.25 * std::atan2(sum.y(), sum.x());
+  return directions * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
 /// A cloud point against the reference, in the object frame.
@@ -45,8 +66,10 @@ class Registration {
   Registration(const ReferenceCloud& reference, const SurfaceCloud& cloud_world,
                const CorrespondenceParameters& parameters)
       : reference_(reference),
-        points_world_(cloud_world.points.cast<double>()),
-        normals_world_(cloud_world.normals.cast<double>()),
+        cloud_world_(cloud_world),
+        points_world_(thin(cloud_world.points, parameters.max_registered_points).cast<double>()),
+        normals_world_(thin(cloud_world.normals, parameters.max_registered_points).cast<double>()),
+        noise_m_(parameters.noise),
         inlier_distance_m_(kNoiseBound * parameters.noise + kSurfaceError * reference.size_m()),
         capture_distance_m_(std::max(parameters.max_correspondence_distance * reference.size_m(), inlier_distance_m_)),
         max_iterations_(parameters.max_iterations) {}
@@ -60,6 +83,9 @@ class Registration {
 
   RigidTransform align(const RigidTransform& T_world_start) const;
 
+  /// `T_world_object` without the slides along faces that the ends of these show.
+  RigidTransform without_slides(const RigidTransform& T_world_object) const;
+
  private:
   /// Gauss-Newton system of a step, rotations about `center` in units of half the object's size.
   struct System {
@@ -67,15 +93,21 @@ class Registration {
     Vector6d gradient = Vector6d::Zero();
   };
 
-  /// Of row `i` of the cloud.
+  /// Of row `i` of the points.
   Residual residual(const RigidTransform& T_object_world, Eigen::Index i) const;
-  System linearize(const RigidTransform& T_object_world, const Eigen::Vector3d& center, double kernel_m) const;
+  System linearize(const RigidTransform& T_object_world, const Eigen::Vector3d& center, double kernel_m,
+                   bool with_borders = true) const;
   Vector6d solve(const System& system, const Vector6d& to_start) const;
+  RigidTransform motion(const Vector6d& step, const Eigen::Vector3d& center) const;
+  /// Columns: first the `count` directions in which the cloud may slide along its faces, then the others.
+  Eigen::Matrix3d weak_directions(const Eigen::Matrix3d& information, int& count) const;
   double radius() const { return std::max(0.5 * reference_.size_m(), 1e-6); }
 
   const ReferenceCloud& reference_;
+  const SurfaceCloud& cloud_world_;
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> points_world_;
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> normals_world_;
+  double noise_m_;
   double inlier_distance_m_;
   double capture_distance_m_;
   int max_iterations_;
@@ -130,7 +162,7 @@ double Registration::misfit(const RigidTransform& T_world_object) const {
 }
 
 Registration::System Registration::linearize(const RigidTransform& T_object_world, const Eigen::Vector3d& center,
-                                             double kernel_m) const {
+                                             double kernel_m, bool with_borders) const {
   System system;
   for (Eigen::Index i = 0; i < points_world_.rows(); ++i) {
     const Eigen::Vector3d point = T_object_world * points_world_.row(i).transpose();
@@ -144,7 +176,7 @@ Registration::System Registration::linearize(const RigidTransform& T_object_worl
     const double weight = root * root;  // Geman-McClure
     Eigen::Matrix3d metric = (r.normal.isZero() ? kPointWeight : 0.0) * Eigen::Matrix3d::Identity();
     metric += r.normal * r.normal.transpose();
-    if (!is_coarse) {
+    if (!is_coarse && with_borders) {
       // Points near a border lie on average where the reference's do; if more lie outward, the face has slid that way.
       metric += kBorderWeight * r.border * r.border.transpose();
     }
@@ -165,6 +197,11 @@ Vector6d Registration::solve(const System& system, const Vector6d& to_start) con
   return information.ldlt().solve(pull * to_start - system.gradient);
 }
 
+RigidTransform Registration::motion(const Vector6d& step, const Eigen::Vector3d& center) const {
+  const Eigen::Quaterniond turn = rigidformer::rotation_about(step.head<3>() / radius());
+  return {turn, center + step.tail<3>() - turn * center};
+}
+
 RigidTransform Registration::align(const RigidTransform& T_world_start) const {
   const RigidTransform T_object_start = T_world_start.inverse();
   RigidTransform T_object_world = T_object_start;
@@ -176,8 +213,7 @@ RigidTransform Registration::align(const RigidTransform& T_world_start) const {
     Vector6d to_start;
     to_start << radius() * rigidformer::rotation_vector(back.rotation), back * center - center;
     const Vector6d step = solve(linearize(T_object_world, center, kernel_m), to_start);
-    const Eigen::Quaterniond turn = rigidformer::rotation_about(step.head<3>() / radius());
-    T_object_world = RigidTransform{turn, center + step.tail<3>() - turn * center} * T_object_world;
+    T_object_world = motion(step, center) * T_object_world;
     const bool narrow = kernel_m <= inlier_distance_m_;
     kernel_m = std::max(kNarrowing * kernel_m, inlier_distance_m_);
     if (narrow && step.norm() < kConverged * reference_.size_m()) {
@@ -185,6 +221,35 @@ RigidTransform Registration::align(const RigidTransform& T_world_start) const {
     }
   }
   return T_object_world.inverse();
+}
+
+Eigen::Matrix3d Registration::weak_directions(const Eigen::Matrix3d& information, int& count) const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(information);
+  count = static_cast<int>((solver.eigenvalues().array() < kWeak * static_cast<double>(points_world_.rows())).count());
+  return count == 2 ? square_to_borders(reference_, solver.eigenvectors()) : solver.eigenvectors();
+}
+
+RigidTransform Registration::without_slides(const RigidTransform& T_world_object) const {
+  const RigidTransform T_object_world = T_world_object.inverse();
+  const Eigen::Vector3d center = T_object_world * points_world_.colwise().mean().transpose();
+  // Without the borders: the ends of whole faces say the same more precisely.
+  System system = linearize(T_object_world, center, inlier_distance_m_, false);
+  int num_weak = 0;
+  const Eigen::Matrix3d directions = weak_directions(system.information.bottomRightCorner<3, 3>(), num_weak);
+  const SurfaceCloud cloud_object = num_weak > 0 ? transform(T_object_world, cloud_world_) : SurfaceCloud();
+  bool is_measured = false;
+  for (int i = 0; i < num_weak; ++i) {
+    const Eigen::Vector3d direction = directions.col(i);
+    const std::optional<Slide> slide = measure_slide(reference_, cloud_object, direction, noise_m_);
+    if (slide) {
+      // Against a point on its plane, whose error is the noise.
+      const double weight = std::pow(noise_m_ / slide->standard_deviation_m, 2);
+      system.information.bottomRightCorner<3, 3>() += weight * direction * direction.transpose();
+      system.gradient.tail<3>() += weight * slide->distance_m * direction;
+      is_measured = true;
+    }
+  }
+  return is_measured ? (motion(solve(system, Vector6d::Zero()), center) * T_object_world).inverse() : T_world_object;
 }
 
 std::string objection_to(const RegistrationQuality& quality, double inlier_distance_m,
@@ -218,7 +283,7 @@ CloudRegistration register_cloud(const ReferenceCloud& reference, const SurfaceC
   }
   const bool shift = registration.misfit(T_world_shifted) < kClearlyBetter * registration.misfit(T_world_predicted);
   CloudRegistration result;
-  result.T_world_object = registration.align(shift ? T_world_shifted : T_world_predicted);
+  result.T_world_object = registration.without_slides(registration.align(shift ? T_world_shifted : T_world_predicted));
   result.quality = registration.quality(result.T_world_object);
   result.objection = objection_to(result.quality, registration.inlier_distance_m(), parameters);
   const double turn = rigidformer::rotation_angle(result.T_world_object.rotation, T_world_predicted.rotation);

@@ -12,22 +12,6 @@ namespace {
 constexpr Eigen::Index kMaxReferenceInput = 2000;  // points of one cloud that are looked at
 constexpr double kMaxJump = 0.5;                   // [size] of the centre: one object cannot reach into another
 
-// Evenly spaced rows: sensors deliver points by pixel, so that neighbours in the cloud are neighbours in the image.
-Points thin(const Points& points, Eigen::Index count) {
-  if (points.rows() <= count) {
-    return points;
-  }
-  Points thinned(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    thinned.row(i) = points.row(i * points.rows() / count);
-  }
-  return thinned;
-}
-
-SurfaceCloud thin(const SurfaceCloud& cloud, Eigen::Index count) {
-  return {thin(cloud.points, count), thin(cloud.normals, count)};
-}
-
 // In the median, stray points have no weight.
 Eigen::Vector3d center_of(const Points& points) {
   Eigen::Vector3d center;
@@ -43,14 +27,6 @@ Eigen::Vector3d center_of(const Points& points) {
   return center;
 }
 
-SurfaceCloud to_object(const RigidTransform& T_world_object, const SurfaceCloud& cloud_world) {
-  const RigidTransform T_object_world = T_world_object.inverse();
-  const Eigen::Matrix3d R = T_object_world.rotation.toRotationMatrix();
-  const Eigen::RowVector3d shift = T_object_world.translation.transpose();
-  return {((cloud_world.points.cast<double>() * R.transpose()).rowwise() + shift).cast<float>(),
-          (cloud_world.normals.cast<double>() * R.transpose()).cast<float>()};
-}
-
 // The previous pose, turned as predicted about the cloud's centre and moved with it.
 RigidTransform follow_center(const RigidTransform& T_world_previous, const RigidTransform& T_world_predicted,
                              const Eigen::Vector3d& center_before, const Eigen::Vector3d& center_now) {
@@ -63,7 +39,8 @@ RigidTransform follow_center(const RigidTransform& T_world_previous, const Rigid
 CloudTracker::CloudTracker(const Points& points_world, const RigidTransform& T_world_object,
                            const CorrespondenceParameters& parameters)
     : parameters_(parameters),
-      reference_(to_object(T_world_object, estimate_surface(thin(points_world, kMaxReferenceInput), parameters.noise)),
+      reference_(transform(T_world_object.inverse(),
+                           estimate_surface(thin(points_world, kMaxReferenceInput), parameters.noise)),
                  parameters),
       center_world_(center_of(points_world)) {}
 
@@ -78,8 +55,8 @@ std::optional<CloudRegistration> CloudTracker::follow(const Points& points_world
   const RigidTransform T_world_shifted = follow_center(T_world_previous, T_world_predicted, center_world_, center);
   center_world_ = center;
   const SurfaceCloud cloud_world = surface(points_world);
-  CloudRegistration registration = register_cloud(reference_, thin(cloud_world, parameters_.max_registered_points),
-                                                  T_world_predicted, T_world_shifted, parameters_);
+  CloudRegistration registration =
+      register_cloud(reference_, cloud_world, T_world_predicted, T_world_shifted, parameters_);
   if (!registration.objection.empty()) {
     registration.T_world_object = T_world_shifted;
   }
@@ -109,7 +86,7 @@ CloudRegistration CloudTracker::measure(const SurfaceCloud& cloud_world, const R
 }
 
 void CloudTracker::grow(const SurfaceCloud& cloud_world, const RigidTransform& T_world_object) {
-  reference_.grow(to_object(T_world_object, cloud_world));
+  reference_.grow(transform(T_world_object.inverse(), cloud_world));
 }
 
 std::optional<CloudRegistration> CloudTracker::judge(const SurfaceCloud& cloud_world,

@@ -15,7 +15,7 @@ namespace {
 constexpr double kOutlierSpacing = 3.0;  // times the median spacing: so far from its neighbours, a point is an outlier
 constexpr double kNoiseSpacing = 2.5;    // [noise] between reference points: closer ones have no common normal
 constexpr double kExtentShare = 0.95;    // of the points lie within the object's radius
-constexpr int kMaxAveraged = 8;          // points of a sample that are averaged; then it stands still and cannot drift
+constexpr std::size_t kMaxAveraged = 8;  // points of a sample that are averaged; then it stands still and cannot drift
 constexpr double kSamePlace = 0.7;       // [voxel] from the nearest reference point: known surface
 constexpr double kReach = 2.5;           // [voxel] from it: still a continuation
 constexpr int kChain = 2;                // [voxel] between places of new surface: likewise
@@ -58,10 +58,10 @@ double diameter(const Points& points) {
 }  // namespace
 
 void ReferenceCloud::Sample::add(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
-  if (count < kMaxAveraged) {
+  if (points.size() < kMaxAveraged) {
+    points.push_back(point);
     sum += point;
     normal_sum += normal_sum.dot(normal) < 0.0F ? Eigen::Vector3f(-normal) : normal;
-    ++count;
   }
 }
 
@@ -78,7 +78,8 @@ ReferenceCloud::ReferenceCloud(const SurfaceCloud& cloud_object, const Correspon
   voxel_size_m_ =
       std::max({parameters_.voxel_size * size_m_, quantile(spacing, 0.5), kNoiseSpacing * parameters_.noise});
   for (Eigen::Index i = 0; i < cloud.points.rows(); ++i) {
-    samples_.push_back({cloud.points.row(i).transpose(), cloud.normals.row(i).transpose(), 1});
+    samples_.emplace_back();
+    samples_.back().add(cloud.points.row(i).transpose(), cloud.normals.row(i).transpose());
   }
   samples_ = thin(samples_);
   rebuild();
@@ -112,7 +113,7 @@ void ReferenceCloud::take_in(const Eigen::Vector3f& point, const Eigen::Vector3f
   const bool is_known_place = distance <= kSamePlace * voxel_size_m_;
   if (is_known_place && on_same_face(normals_.row(row).transpose(), normal)) {
     Sample& sample = samples_[static_cast<std::size_t>(row)];
-    num_averaged_ += sample.count < kMaxAveraged ? 1 : 0;
+    num_averaged_ += sample.points.size() < kMaxAveraged ? 1 : 0;
     sample.add(point, normal);
   } else if (distance <= size_m_ && !(is_known_place && normal.isZero())) {
     remember(point, normal);

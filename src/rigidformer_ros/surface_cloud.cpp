@@ -114,6 +114,28 @@ class Patch {
 
 }  // namespace
 
+Points thin(const Points& points, Eigen::Index count) {
+  if (points.rows() <= count) {
+    return points;
+  }
+  Points thinned(count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    thinned.row(i) = points.row(i * points.rows() / count);
+  }
+  return thinned;
+}
+
+SurfaceCloud thin(const SurfaceCloud& cloud, Eigen::Index count) {
+  return {thin(cloud.points, count), thin(cloud.normals, count)};
+}
+
+SurfaceCloud transform(const rigidformer::RigidTransform& T_b_a, const SurfaceCloud& cloud_a) {
+  const Eigen::Matrix3d R = T_b_a.rotation.toRotationMatrix();
+  const Eigen::RowVector3d shift = T_b_a.translation.transpose();
+  return {((cloud_a.points.cast<double>() * R.transpose()).rowwise() + shift).cast<float>(),
+          (cloud_a.normals.cast<double>() * R.transpose()).cast<float>()};
+}
+
 bool on_same_face(const Eigen::Vector3f& normal_a, const Eigen::Vector3f& normal_b) {
   return (normal_a.isZero() && normal_b.isZero()) || std::abs(normal_a.dot(normal_b)) > kSameFace;
 }

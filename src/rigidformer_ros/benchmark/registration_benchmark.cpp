@@ -6,6 +6,7 @@
 #include <pcl/registration/gicp.h>
 #include <pcl/registration/icp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "ratio_reporter.hpp"
 #include "rigidformer_ros/cloud_registration.hpp"
 #include "rigidformer_ros/tracking/shape_camera.hpp"
+#include "tracking_benchmark.hpp"
 
 namespace rigidformer_ros {
 namespace {
@@ -116,10 +118,22 @@ BENCHMARK_TEMPLATE(by_pcl, Icp)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(by_pcl, IcpWithNormals)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(by_pcl, Gicp)->Unit(benchmark::kMillisecond);
 
+/// Takes `--seed=N` out of the arguments. Throws std::invalid_argument where N is no number.
+void take_seed(int& argc, char** argv) {
+  const std::string option = "--seed=";
+  char** const end = std::remove_if(argv + 1, argv + argc, [&](const std::string& argument) {
+    const bool is_seed = argument.compare(0, option.size(), option) == 0;
+    tracking_seed = is_seed ? std::stoull(argument.substr(option.size())) : tracking_seed;
+    return is_seed;
+  });
+  argc = static_cast<int>(end - argv);
+}
+
 }  // namespace
 }  // namespace rigidformer_ros
 
 int main(int argc, char** argv) {
+  rigidformer_ros::take_seed(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
     return 1;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tracking_benchmark.hpp"
+
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -14,6 +16,9 @@
 #include "rigidformer_ros/tracking/shape_camera.hpp"
 
 namespace rigidformer_ros {
+
+std::uint64_t tracking_seed = 101;
+
 namespace {
 
 using testing::ShapeCamera;
@@ -45,6 +50,7 @@ struct Tracking {
   double worst_rotation_rad = 0.0;  ///< Likewise
   double add_s = 0.0, worst_add_s = 0.0;
   int frames = 0, well_visible = 0, within_target = 0, low_quality = 0, new_tracks = 0;
+  int flagged_within = 0, flagged_outside = 0;  ///< LOW_QUALITY among the well visible frames
 };
 
 /// Angle between true and tracked rotation, without what the shape does not show.
@@ -86,7 +92,7 @@ class Series {
     }
     result_.low_quality += added == AddResult::kLowQuality ? 1 : 0;
     if (view.visible_share >= kWellVisible) {
-      compare(T_track * T_track_object_, T_true);
+      compare(T_track * T_track_object_, T_true, added == AddResult::kLowQuality);
     }
   }
 
@@ -101,13 +107,16 @@ class Series {
     return added;
   }
 
-  void compare(const RigidTransform& T_estimated, const RigidTransform& T_true) {
+  void compare(const RigidTransform& T_estimated, const RigidTransform& T_true, bool is_flagged) {
     const double position_m = (T_estimated.translation - T_true.translation).norm();
     const double angle = visible_angle(shape_, T_estimated, T_true);
     result_.worst_position_m = std::max(result_.worst_position_m, position_m);
     result_.worst_rotation_rad = std::max(result_.worst_rotation_rad, angle);
     ++result_.well_visible;
-    result_.within_target += position_m < 0.01 && angle < 3.0 * M_PI / 180.0 ? 1 : 0;
+    const bool is_within = position_m < 0.01 && angle < 3.0 * M_PI / 180.0;
+    result_.within_target += is_within ? 1 : 0;
+    result_.flagged_within += is_flagged && is_within ? 1 : 0;
+    result_.flagged_outside += is_flagged && !is_within ? 1 : 0;
   }
 
   std::string shape_;
@@ -122,7 +131,7 @@ class Series {
 void track(benchmark::State& state, const std::string& shape) {
   Tracking result;
   for (auto _ : state) {
-    std::uint64_t seed = 101;
+    std::uint64_t seed = tracking_seed;
     for (const Tumble& tumble : tumbles()) {
       Series series(shape, tumble, seed++, result);
       for (int frame = 0; frame < kFrames; ++frame) {
@@ -135,6 +144,8 @@ void track(benchmark::State& state, const std::string& shape) {
   state.counters["well_visible"] = result.well_visible;
   state.counters["in_target_%"] = 100.0 * result.within_target / std::max(result.well_visible, 1);
   state.counters["low_quality"] = result.low_quality;
+  state.counters["flagged_within"] = result.flagged_within;
+  state.counters["flagged_outside"] = result.flagged_outside;
   state.counters["new_tracks"] = result.new_tracks;
   state.counters["mean_ms"] = 1e3 * result.add_s / result.frames;
   state.counters["max_ms"] = 1e3 * result.worst_add_s;

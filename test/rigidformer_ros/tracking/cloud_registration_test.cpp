@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rigidformer_ros/cloud_conversion.hpp"
 #include "rigidformer_ros/point_tree.hpp"
+#include "rigidformer_ros/slide.hpp"
 #include "rigidformer_ros/tracking/shape_camera.hpp"
 
 namespace rigidformer_ros {
@@ -17,6 +19,7 @@ namespace {
 
 using testing::Imperfections;
 using testing::ShapeCamera;
+using testing::View;
 
 constexpr double kDegree = M_PI / 180.0;
 
@@ -28,7 +31,9 @@ SurfaceCloud surface_of(const Points& points) { return estimate_surface(points, 
 
 // Reference = object frame = world at the start; the prediction is that nothing moved.
 CloudRegistration register_from_rest(const ReferenceCloud& reference, const Points& cloud) {
-  return register_cloud(reference, surface_of(cloud), RigidTransform(), RigidTransform(), CorrespondenceParameters());
+  CorrespondenceParameters parameters;
+  parameters.max_registered_points = static_cast<int>(cloud.rows());
+  return register_cloud(reference, surface_of(cloud), RigidTransform(), RigidTransform(), parameters);
 }
 
 double mean_distance(const PointTree& surface, const Points& points) {
@@ -90,6 +95,53 @@ TEST(CloudRegistration, P13_symmetric_shapes_do_not_flip_or_spin) {
       EXPECT_LT(rigidformer::rotation_angle(found.T_world_object.rotation, alias.rotation), 8.0 * kDegree) << shape;
     }
   }
+}
+
+TEST(CloudRegistration, AFaceDoesNotSlideAlongItselfWhileBothOfItsEndsAreSeen) {
+  ShapeCamera camera("cube", 1.0, 14);
+  const ReferenceCloud reference(surface_of(camera.look(RigidTransform(), {0.0, -3.0, 3.0}, 2000).points_world),
+                                 CorrespondenceParameters());
+  for (const double slide : {-0.03, -0.01, 0.0, 0.02}) {
+    const RigidTransform truth{Eigen::Quaterniond::Identity(), {slide, 0.0, 0.0}};
+    const View view = camera.look(truth, {0.0, -3.0, 3.0}, 1000);
+    const CloudRegistration found =
+        register_cloud(reference, surface_of(view.points_world), RigidTransform(), RigidTransform(), {});
+    EXPECT_EQ(found.objection, "") << slide;
+    EXPECT_NEAR(found.T_world_object.translation.x(), slide, 0.008);
+  }
+}
+
+TEST(MeasureSlide, ComparesBothEndsAndDoesNotAnswerWhereOneIsHidden) {
+  ShapeCamera camera("cube", 1.0, 15);
+  const Eigen::Vector3d eye(0.0, -3.0, 3.0);
+  const double noise_m = CorrespondenceParameters().noise;
+  const ReferenceCloud reference(surface_of(camera.look(RigidTransform(), eye, 2000).points_world),
+                                 CorrespondenceParameters());
+  const RigidTransform slid{Eigen::Quaterniond::Identity(), {0.015, 0.0, 0.0}};
+  const Points whole = camera.look(slid, eye, 1000).points_world;
+  const std::optional<Slide> slide = measure_slide(reference, surface_of(whole), Eigen::Vector3d::UnitX(), noise_m);
+  ASSERT_TRUE(slide.has_value());
+  EXPECT_NEAR(slide->distance_m, 0.015, 0.007);
+  EXPECT_GT(slide->standard_deviation_m, 0.001);
+  EXPECT_LT(slide->standard_deviation_m, 0.005);
+  std::vector<int> rows;
+  for (int i = 0; i < whole.rows(); ++i) {
+    if (whole(i, 0) < 0.35F) {
+      rows.push_back(i);
+    }
+  }
+  EXPECT_FALSE(
+      measure_slide(reference, surface_of(select_rows(whole, rows)), Eigen::Vector3d::UnitX(), noise_m).has_value());
+  EXPECT_FALSE(measure_slide(reference, surface_of(whole.topRows(50)), Eigen::Vector3d::UnitX(), noise_m).has_value());
+}
+
+TEST(MeasureSlide, DoesNotAnswerWhereAnEndIsBlunt) {
+  ShapeCamera camera("cone", 1.0, 16);
+  const Eigen::Vector3d eye(0.0, -3.0, 1.0);
+  const ReferenceCloud reference(surface_of(camera.look(RigidTransform(), eye, 2000).points_world),
+                                 CorrespondenceParameters());
+  const SurfaceCloud cloud = surface_of(camera.look(RigidTransform(), eye, 1000).points_world);
+  EXPECT_FALSE(measure_slide(reference, cloud, Eigen::Vector3d::UnitZ(), CorrespondenceParameters().noise).has_value());
 }
 
 TEST(CloudRegistration, P14_a_wrong_start_is_not_believed) {

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "rigidformer_ros/reference_cloud.hpp"
+#include "rigidformer_ros/surface_cloud.hpp"
+
+namespace rigidformer_ros {
+
+/// Of a cloud along its faces.
+struct Slide {
+  double distance_m;
+  double standard_deviation_m;
+};
+
+/// How far a cloud in the object frame, which lies on the reference, has slid along the unit vector `direction`: its
+/// faces parallel to it end that far from where the same faces of the reference do. Both of their ends count: there is
+/// no answer where one of them is hidden, not known yet, or blunt.
+std::optional<Slide> measure_slide(const ReferenceCloud& reference, const SurfaceCloud& cloud_object,
+                                   const Eigen::Vector3d& direction, double noise_m);
+
+}  // namespace rigidformer_ros
