@@ -51,6 +51,8 @@ score --points vertices "${all_starts[@]}" --steps 1,5 --baselines ballistic --s
 # Other densities, in the air.
 at_start=(--starts 0 --steps 10 --horizons 100 --baselines bullet)
 score --points 768 "${at_start[@]}" --json "$out/dense.json"
+score --points 768 --starts 0 --steps 1,5 --horizons 50,75,100 --baselines none --scenes $((scenes / 6)) \
+  --json "$out/dense_short_steps.json"
 score --points vertices --mask 0.25 "${at_start[@]}" --json "$out/masked.json"
 # Drift over ten seconds of what lies still six seconds after the start.
 resting=()
@@ -63,4 +65,4 @@ done
 "$tools/evaluate" "${model[@]}" "${resting[@]}" --starts 0 --steps 10 --horizons 240,2400 --resting --baselines none \
   --json "$out/resting.json"
 "$root/scripts/score_table.py" "$out"/{vertices,vertices_one_view,samples,samples_one_view}.json \
-  "$out"/{short_steps,dense,masked,resting}.json
+  "$out"/{short_steps,dense,dense_short_steps,masked,resting}.json
