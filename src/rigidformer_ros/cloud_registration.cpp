@@ -83,8 +83,8 @@ class Registration {
 
   RigidTransform align(const RigidTransform& T_world_start) const;
 
-  /// `T_world_object` without the slides along faces that the ends of these show.
-  RigidTransform without_slides(const RigidTransform& T_world_object) const;
+  /// `T_world_object` without the slides along faces that the ends of these show; `may_have_slid` where these disagree.
+  RigidTransform without_slides(const RigidTransform& T_world_object, bool& may_have_slid) const;
 
  private:
   /// Gauss-Newton system of a step, rotations about `center` in units of half the object's size.
@@ -229,7 +229,7 @@ Eigen::Matrix3d Registration::weak_directions(const Eigen::Matrix3d& information
   return count == 2 ? square_to_borders(reference_, solver.eigenvectors()) : solver.eigenvectors();
 }
 
-RigidTransform Registration::without_slides(const RigidTransform& T_world_object) const {
+RigidTransform Registration::without_slides(const RigidTransform& T_world_object, bool& may_have_slid) const {
   const RigidTransform T_object_world = T_world_object.inverse();
   const Eigen::Vector3d center = T_object_world * points_world_.colwise().mean().transpose();
   // Without the borders: the ends of whole faces say the same more precisely.
@@ -241,7 +241,8 @@ RigidTransform Registration::without_slides(const RigidTransform& T_world_object
   for (int i = 0; i < num_weak; ++i) {
     const Eigen::Vector3d direction = directions.col(i);
     const std::optional<Slide> slide = measure_slide(reference_, cloud_object, direction, noise_m_);
-    if (slide) {
+    may_have_slid |= slide && !slide->is_certain;
+    if (slide && slide->is_certain) {
       // Against a point on its plane, whose error is the noise.
       const double weight = std::pow(noise_m_ / slide->standard_deviation_m, 2);
       system.information.bottomRightCorner<3, 3>() += weight * direction * direction.transpose();
@@ -283,7 +284,8 @@ CloudRegistration register_cloud(const ReferenceCloud& reference, const SurfaceC
   }
   const bool shift = registration.misfit(T_world_shifted) < kClearlyBetter * registration.misfit(T_world_predicted);
   CloudRegistration result;
-  result.T_world_object = registration.without_slides(registration.align(shift ? T_world_shifted : T_world_predicted));
+  const RigidTransform T_world_aligned = registration.align(shift ? T_world_shifted : T_world_predicted);
+  result.T_world_object = registration.without_slides(T_world_aligned, result.may_have_slid);
   result.quality = registration.quality(result.T_world_object);
   result.objection = objection_to(result.quality, registration.inlier_distance_m(), parameters);
   const double turn = rigidformer::rotation_angle(result.T_world_object.rotation, T_world_predicted.rotation);

@@ -93,7 +93,10 @@ std::optional<CloudRegistration> CloudTracker::judge(const SurfaceCloud& cloud_w
                                                      const CloudRegistration& registration) {
   if (registration.objection.empty()) {
     failures_ = 0;
-    grow(cloud_world, registration.T_world_object);
+    // A side learned in a doubtful place would hold every later cloud there.
+    if (!registration.may_have_slid) {
+      grow(cloud_world, registration.T_world_object);
+    }
     return registration;
   }
   failures_ +=

@@ -197,11 +197,11 @@ std::optional<Slide> measure_slide(const ReferenceCloud& reference, const Surfac
   const double distance_m = 0.5 * (lower + upper);
   // Of a cloud that has slid far, some points beyond the known end are not recognized.
   const double tolerance = std::max(kSameExtent * reference.voxel_size_m(), std::abs(distance_m));
-  if (!is_sharp(known) || std::abs(upper - lower) > tolerance) {
+  if (!is_sharp(known)) {
     return std::nullopt;
   }
   const double sampling_m = standard_deviation(known, static_cast<double>(faces.cloud_marks().size()));
-  return Slide{distance_m, std::hypot(sampling_m, kKnownEnd * noise_m)};
+  return Slide{distance_m, std::hypot(sampling_m, kKnownEnd * noise_m), std::abs(upper - lower) <= tolerance};
 }
 
 }  // namespace rigidformer_ros

@@ -84,7 +84,7 @@ AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observ
   }
   track.poses.add(observation.stamp, found->T_world_object, history_.min_dt);
   track.quality = found->quality;
-  track.low_quality = !found->objection.empty();
+  track.low_quality = !found->objection.empty() || found->may_have_slid;
   track.mode = observation.mode;
   track.properties = observation.properties;
   forget_unseen();

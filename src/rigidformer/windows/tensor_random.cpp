@@ -2,11 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/windows/tensor_random.hpp"
 
+#include <ATen/CPUGeneratorImpl.h>
+
 namespace rigidformer {
 
-TensorRandom::TensorRandom(const torch::Device& device, std::uint64_t seed)
-    : generator_(at::globalContext().defaultGenerator(device).clone()) {
-  generator_->set_current_seed(seed);
+namespace {
+
+at::Generator make_generator(const torch::Device& device, std::uint64_t seed) {
+  if (device.is_cpu()) {
+    return at::detail::createCPUGenerator(seed);
+  }
+  at::Generator generator = at::globalContext().defaultGenerator(device).clone();  // LibTorch 1.13 never frees a clone
+  generator.set_current_seed(seed);
+  return generator;
 }
+
+}  // namespace
+
+TensorRandom::TensorRandom(const torch::Device& device, std::uint64_t seed)
+    : generator_(make_generator(device, seed)) {}
 
 }  // namespace rigidformer
