@@ -3,7 +3,9 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "rigidformer_ros/inference_worker.hpp"
@@ -20,6 +22,13 @@ struct SceneRollout {
   RolloutOutcome outcome;
   rigidformer::ModelInfo model;    ///< Ranges in real lengths and times
   double trusted_horizon_s = 0.0;  ///< 0 = none or not known
+};
+
+/// A scene whose prediction has begun, for all who want steps of it. Objects in scene and steps correspond.
+struct BegunRollout {
+  ObservedScene scene;
+  rigidformer::ModelInfo model;  ///< Ranges in real lengths and times
+  SharedRollout steps;
 };
 
 /// Predicts observed scenes as the parameters say. The topic and the service share one, so their numbers are the same.
@@ -45,8 +54,13 @@ class Forecaster {
   RolloutSettings default_settings() const;
   void set_num_steps(int num_steps) { num_steps_ = num_steps; }
 
-  /// Moves objects beyond the model's limit to scene.skipped, then rolls out. Throws what the predictor throws.
-  SceneRollout roll_out(ObservedScene scene, RolloutSettings settings);
+  /// Moves objects beyond the model's limit to scene.skipped. For requests of the numbers of steps in `ends`; nothing
+  /// is predicted before somebody wants a step.
+  std::shared_ptr<BegunRollout> begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
+                                      std::set<int> ends);
+
+  /// All of it, for one user. Throws what the predictor throws.
+  SceneRollout roll_out(ObservedScene scene, const RolloutSettings& settings);
 
  private:
   double length_scale(const ObservedScene& scene, const rigidformer::ModelInfo& info) const;

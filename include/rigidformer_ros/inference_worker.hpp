@@ -18,7 +18,8 @@ namespace rigidformer_ros {
 /// Makes the predictor; may throw when the model cannot be loaded.
 using PredictorFactory = std::function<std::unique_ptr<rigidformer::Predictor>()>;
 
-/// One long-lived thread that owns the predictor: it loads the model, warms it up and then runs one job after another.
+/// One long-lived thread that owns the predictor: it loads the model, warms it up and then runs jobs in the order in
+/// which they come: users who hand in one short job at a time take turns.
 /// All public functions may be called from any thread.
 class InferenceWorker {
  public:

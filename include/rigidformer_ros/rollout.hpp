@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "rigidformer_ros/inference_worker.hpp"
 #include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/shared_rollout.hpp"
 
 namespace rigidformer_ros {
 
@@ -26,7 +26,6 @@ enum class StopReason { kHorizon, kSettled, kWallTime, kDiverged };
 
 struct RolloutSettings {
   rigidformer::RolloutOptions options;  ///< In real lengths and times
-  double length_scale = 1.0;            ///< Real length / trained length
   double max_wall_time_s = 0.0;         ///< 0 = no limit
   bool stop_when_settled = false;
   SettleCriterion settle;
@@ -39,10 +38,12 @@ struct RolloutOutcome {
   std::vector<int> settled_steps;  ///< One per object; -1 = none
 };
 
-/// Rolls the scene out on the worker in short jobs, so that a long request neither blocks other users of the worker nor
-/// overruns its wall time by more than one job. Diverged objects stand still from then on and keep their status.
-/// Throws what the predictor throws.
-RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<rigidformer::ObjectState>& objects,
-                        const RolloutSettings& settings);
+/// When a rollout that was asked for at `asked` has to give up.
+SharedRollout::Clock::time_point time_limit(const RolloutSettings& settings, SharedRollout::Clock::time_point asked);
+
+/// Takes the steps that the settings ask for, unless there is a reason to stop earlier. Whether others take steps of
+/// the same rollout changes nothing but the time. Throws what SharedRollout throws.
+RolloutOutcome roll_out(SharedRollout& rollout, const RolloutSettings& settings,
+                        SharedRollout::Clock::time_point asked = SharedRollout::Clock::now());
 
 }  // namespace rigidformer_ros

@@ -58,12 +58,20 @@ RolloutSettings Forecaster::default_settings() const {
   return settings;
 }
 
-SceneRollout Forecaster::roll_out(ObservedScene scene, RolloutSettings settings) {
+std::shared_ptr<BegunRollout> Forecaster::begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
+                                                std::set<int> ends) {
   const rigidformer::ModelInfo info = worker_.info();
-  settings.length_scale = length_scale(scene, info);
+  const double scale = length_scale(scene, info);
   skip_surplus(scene, info.max_objects);
-  RolloutOutcome outcome = rigidformer_ros::roll_out(worker_, states(scene), settings);
-  return {std::move(scene), std::move(outcome), to_real_scale(info, settings.length_scale), /*trusted_horizon_s=*/0.0};
+  std::vector<rigidformer::ObjectState> objects = states(scene);
+  return std::shared_ptr<BegunRollout>(new BegunRollout{
+      std::move(scene), to_real_scale(info, scale), SharedRollout(worker_, objects, options, scale, std::move(ends))});
+}
+
+SceneRollout Forecaster::roll_out(ObservedScene scene, const RolloutSettings& settings) {
+  const auto begun = begin(std::move(scene), settings.options, {settings.options.num_steps});
+  RolloutOutcome outcome = rigidformer_ros::roll_out(begun->steps, settings);
+  return {std::move(begun->scene), std::move(outcome), begun->model, /*trusted_horizon_s=*/0.0};
 }
 
 }  // namespace rigidformer_ros

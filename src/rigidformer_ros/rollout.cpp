@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <utility>
-
-#include "rigidformer_ros/length_scale.hpp"
 
 namespace rigidformer_ros {
 
@@ -17,36 +15,18 @@ namespace {
 using rigidformer::Forecast;
 using rigidformer::MotionMode;
 using rigidformer::ObjectForecast;
-using rigidformer::ObjectState;
 using rigidformer::RigidTransform;
-using Clock = std::chrono::steady_clock;
-
-constexpr int kStepsPerJob = 8;
+using Clock = SharedRollout::Clock;
 
 bool is_at_rest(const RigidTransform& before, const RigidTransform& after, double dt_s, const SettleCriterion& limit) {
   return (after.translation - before.translation).norm() <= limit.linear_speed_mps * dt_s &&
          rigidformer::rotation_angle(before.rotation, after.rotation) <= limit.angular_speed_rps * dt_s;
 }
 
-// Keeps the last finite pose of an object whose prediction is not finite, whatever the predictor says about it.
-Forecast with_finite_poses(Forecast forecast) {
-  for (ObjectForecast& object : forecast.objects) {
-    bool lost = false;
-    for (std::size_t k = 1; k < object.poses.size(); ++k) {
-      lost = lost || !rigidformer::is_valid(object.poses[k]);
-      if (lost) {
-        object.status = ObjectForecast::Status::kDiverged;
-        object.poses[k] = object.poses[k - 1];
-      }
-    }
-  }
-  return forecast;
-}
-
-bool all_diverged(const Forecast& forecast, const std::vector<ObjectState>& objects) {
+bool all_diverged(const Forecast& forecast, const std::vector<MotionMode>& modes) {
   bool any_moves = false;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (objects[i].mode != MotionMode::kDynamic) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] != MotionMode::kDynamic) {
       continue;
     }
     any_moves = true;
@@ -69,47 +49,6 @@ bool all_settled(const std::vector<int>& steps) {
   return !steps.empty() && std::all_of(steps.begin(), steps.end(), [](int step) { return step >= 0; });
 }
 
-Forecast start_forecast(const std::vector<ObjectState>& objects) {
-  Forecast forecast;
-  forecast.times_s.push_back(0.0);
-  for (const ObjectState& object : objects) {
-    forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
-  }
-  return forecast;
-}
-
-// A rollout that lets others have the worker between its jobs. In real lengths and times.
-class PiecewiseRollout {
- public:
-  PiecewiseRollout(InferenceWorker& worker, const std::vector<ObjectState>& objects, const RolloutSettings& settings)
-      : worker_(worker),
-        length_scale_(settings.length_scale),
-        state_(std::make_shared<State>(
-            State{to_model_scale(objects, length_scale_), to_model_scale(settings.options, length_scale_), nullptr})) {}
-
-  // From the observation to `num_steps` more steps than before.
-  Forecast advance(int num_steps) {
-    const auto job = [state = state_, num_steps](rigidformer::Predictor& predictor) {
-      if (!state->rollout) {
-        state->rollout = predictor.start(state->objects, state->options);
-      }
-      return state->rollout->advance(num_steps);
-    };
-    return with_finite_poses(to_real_scale(worker_.run(job).get(), length_scale_));
-  }
-
- private:
-  struct State {
-    std::vector<ObjectState> objects;
-    rigidformer::RolloutOptions options;
-    std::unique_ptr<rigidformer::Rollout> rollout;  // made on the thread of the predictor
-  };
-
-  InferenceWorker& worker_;
-  double length_scale_;
-  std::shared_ptr<State> state_;
-};
-
 }  // namespace
 
 SettleCriterion settle_criterion(const ServiceParameters& parameters) {
@@ -125,24 +64,30 @@ int settled_step(const std::vector<RigidTransform>& poses, double time_step_s, c
   return at_rest_s > 0.0 && at_rest_s >= criterion.duration_s ? step : -1;
 }
 
-RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<ObjectState>& objects,
-                        const RolloutSettings& settings) {
+Clock::time_point time_limit(const RolloutSettings& settings, Clock::time_point asked) {
+  constexpr double kLongest_s = 1e9;  // the clock counts in nanoseconds
+  const std::chrono::duration<double> allowed(
+      settings.max_wall_time_s > 0.0 ? std::min(settings.max_wall_time_s, kLongest_s) : kLongest_s);
+  return asked + std::chrono::duration_cast<Clock::duration>(allowed);
+}
+
+RolloutOutcome roll_out(SharedRollout& rollout, const RolloutSettings& settings, Clock::time_point asked) {
   const Clock::time_point start = Clock::now();
-  const auto elapsed_s = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  PiecewiseRollout rollout(worker, objects, settings);
+  const Clock::time_point limit = time_limit(settings, asked);
   RolloutOutcome outcome;
-  outcome.forecast = start_forecast(objects);
-  outcome.settled_steps.assign(objects.size(), -1);
-  while (outcome.steps_done < settings.options.num_steps && !objects.empty()) {
-    if (settings.max_wall_time_s > 0.0 && elapsed_s() > settings.max_wall_time_s) {
+  outcome.forecast = *rollout.advance_to(0, limit);
+  outcome.settled_steps.assign(rollout.modes().size(), -1);
+  while (outcome.steps_done < settings.options.num_steps && !rollout.modes().empty()) {
+    const int num_steps = std::min(outcome.steps_done + SharedRollout::kStepsPerJob, settings.options.num_steps);
+    std::optional<Forecast> forecast = rollout.advance_to(num_steps, limit);
+    if (!forecast) {
       outcome.stop_reason = StopReason::kWallTime;
       break;
     }
-    const int num_steps = std::min(kStepsPerJob, settings.options.num_steps - outcome.steps_done);
-    outcome.forecast = rollout.advance(num_steps);
-    outcome.steps_done += num_steps;
+    outcome.forecast = std::move(*forecast);
+    outcome.steps_done = num_steps;
     outcome.settled_steps = all_settled_steps(outcome.forecast, settings.options.time_step_s, settings.settle);
-    if (all_diverged(outcome.forecast, objects)) {
+    if (all_diverged(outcome.forecast, rollout.modes())) {
       outcome.stop_reason = StopReason::kDiverged;
       break;
     }
@@ -151,7 +96,7 @@ RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<ObjectState>&
       break;
     }
   }
-  outcome.forecast.compute_time_s = elapsed_s();
+  outcome.forecast.compute_time_s = std::chrono::duration<double>(Clock::now() - start).count();
   return outcome;
 }
 

@@ -128,17 +128,6 @@ void check_history(const ObservedScene& scene, const std::vector<std::string>& i
   }
 }
 
-ObservedScene read_live_scene(const Request& request, const NodeParameters& parameters, const RequestSources& sources,
-                              double time_step_s) {
-  ObservedScene scene = sources.live_scene(time_step_s);
-  if (scene.objects.empty()) {
-    reject(Response::NO_OBJECTS, "no object has been observed yet");
-  }
-  check_age(scene, sources.now,
-            read_duration(request.max_state_age, "max_state_age", parameters.service.max_state_age));
-  return scene;
-}
-
 ObservedScene take_given_scene(const TrackStore& tracks, const Request& request, const rigidformer::ModelInfo& model,
                                double time_step_s) {
   ObservedScene scene = tracks.snapshot(time_step_s);
@@ -156,8 +145,28 @@ ObservedScene take_given_scene(const TrackStore& tracks, const Request& request,
   return scene;
 }
 
-void check_returned_points(const Request& request, const RolloutTask& task, const NodeParameters& parameters) {
-  const std::uint64_t points = count_points(task.scene, task.selection, task.settings.options.num_steps);
+ObservedScene read_given_scene(const Request& request, const NodeParameters& parameters, double default_time_step_s,
+                               const RequestSources& sources) {
+  const TrackStore tracks = track_scenes(request.scene, request.previous_scene, parameters, sources.T_fixed_from);
+  const rigidformer::ModelInfo model = sources.model_for(tracks.snapshot(default_time_step_s));
+  return take_given_scene(tracks, request, model, read_time_step(request.time_step, default_time_step_s, model));
+}
+
+ObservedScene read_live_scene(const Request& request, double default_time_step_s, const RequestSources& sources) {
+  if (!is_empty(request.previous_scene)) {
+    reject(Response::INVALID_REQUEST, "previous_scene: is filled although scene is empty");
+  }
+  const rigidformer::ModelInfo model = sources.model_for(sources.live_scene(default_time_step_s));
+  ObservedScene scene = sources.live_scene(read_time_step(request.time_step, default_time_step_s, model));
+  if (scene.objects.empty()) {
+    reject(Response::NO_OBJECTS, "no object has been observed yet");
+  }
+  return scene;
+}
+
+void check_returned_points(const Request& request, const RolloutTask& task, const ObservedScene& scene,
+                           const NodeParameters& parameters) {
+  const std::uint64_t points = count_points(scene, task.selection, task.settings.options.num_steps);
   if (request.return_points && points > static_cast<std::uint64_t>(parameters.service.max_returned_points)) {
     reject(Response::LIMIT_EXCEEDED, "return_points: " + std::to_string(points) + " points, at most " +
                                          std::to_string(parameters.service.max_returned_points) +
@@ -167,8 +176,7 @@ void check_returned_points(const Request& request, const RolloutTask& task, cons
 
 }  // namespace
 
-RolloutTask read_request(const Request& request, const NodeParameters& parameters, const RolloutSettings& defaults,
-                         const RequestSources& sources) {
+RolloutTask read_task(const Request& request, const NodeParameters& parameters, const RolloutSettings& defaults) {
   check_unsupported(request);
   RolloutTask task;
   task.settings = defaults;
@@ -178,26 +186,40 @@ RolloutTask read_request(const Request& request, const NodeParameters& parameter
   task.settings.stop_when_settled = request.stop_when_settled;
   task.selection.object_ids = request.object_ids;
   task.selection.record_every = read_record_every(request, task.settings.options.num_steps);
-
-  // The range of the time step may hang on the sizes in the scene, and the scene's velocities on the time step.
-  double& dt = task.settings.options.time_step_s;
-  if (!is_empty(request.scene)) {
-    const TrackStore tracks = track_scenes(request.scene, request.previous_scene, parameters, sources.T_fixed_from);
-    const rigidformer::ModelInfo model = sources.model_for(tracks.snapshot(dt));
-    dt = read_time_step(request.time_step, dt, model);
-    task.scene = take_given_scene(tracks, request, model, dt);
-    check_object_ids(request.object_ids, task.scene);
-  } else {
-    if (!is_empty(request.previous_scene)) {
-      reject(Response::INVALID_REQUEST, "previous_scene: is filled although scene is empty");
-    }
-    dt = read_time_step(request.time_step, dt, sources.model_for(sources.live_scene(dt)));
-    task.scene = read_live_scene(request, parameters, sources, dt);
-    check_object_ids(request.object_ids, task.scene);
-    check_history(task.scene, request.object_ids);
-  }
-  check_returned_points(request, task, parameters);
   return task;
+}
+
+std::string rollout_key(const Request& request) {
+  namespace serialization = ros::serialization;
+  const std::uint32_t size = serialization::serializationLength(request.time_step) +
+                             serialization::serializationLength(request.scene) +
+                             serialization::serializationLength(request.previous_scene);
+  std::string bytes(size, '\0');
+  serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()), size);
+  serialization::serialize(stream, request.time_step);
+  serialization::serialize(stream, request.scene);
+  serialization::serialize(stream, request.previous_scene);
+  return bytes;
+}
+
+// The range of the time step may hang on the sizes in the scene, and the scene's velocities on the time step.
+ObservedScene read_scene(const Request& request, const NodeParameters& parameters, double default_time_step_s,
+                         const RequestSources& sources) {
+  return is_empty(request.scene) ? read_live_scene(request, default_time_step_s, sources)
+                                 : read_given_scene(request, parameters, default_time_step_s, sources);
+}
+
+void check_scene(const Request& request, const RolloutTask& task, const ObservedScene& scene,
+                 const NodeParameters& parameters, const ros::Time& now) {
+  const bool is_live = is_empty(request.scene);
+  if (is_live) {
+    check_age(scene, now, read_duration(request.max_state_age, "max_state_age", parameters.service.max_state_age));
+  }
+  check_object_ids(request.object_ids, scene);
+  if (is_live) {
+    check_history(scene, request.object_ids);
+  }
+  check_returned_points(request, task, scene, parameters);
 }
 
 }  // namespace rigidformer_ros

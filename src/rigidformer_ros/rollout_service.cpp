@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer_ros/rollout_service.hpp"
 
-#include <algorithm>
 #include <boost/function.hpp>
-#include <chrono>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "rigidformer_ros/forecast_messages.hpp"
 #include "rigidformer_ros/names.hpp"
 #include "rigidformer_ros/rollout_request.hpp"
-#include "rigidformer_ros/timing_monitor.hpp"
 
 namespace rigidformer_ros {
 
@@ -61,14 +57,6 @@ void fill_outcome(Response& response, const SceneForecast& forecast, const Rollo
   }
 }
 
-std::string serialized(const Request& request) {
-  std::string bytes(ros::serialization::serializationLength(request), '\0');
-  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
-                                     static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(stream, request);
-  return bytes;
-}
-
 /// Counts a client as present for the length of a scope.
 class Presence {
  public:
@@ -113,6 +101,7 @@ RolloutService::RolloutService(ros::NodeHandle& node, const NodeParameters& para
 }
 
 Response RolloutService::answer(const Request& request) {
+  const SharedRollout::Clock::time_point asked = SharedRollout::Clock::now();
   if (!forecaster_.ready()) {
     return failure(Response::NOT_READY, forecaster_.message());
   }
@@ -121,47 +110,8 @@ Response RolloutService::answer(const Request& request) {
     return failure(Response::BUSY, "more than " + std::to_string(parameters_.service.max_clients_queued) +
                                        " requests are waiting (service/max_clients_queued)");
   }
-  const double start_s = steady_seconds();
-  if (!is_empty(request.scene)) {
-    return answer_in_turn(request, start_s, [] {});
-  }
-  return answer_together(request, start_s);
-}
-
-// Planners that wait for the same forecast of the live scene get it together. All of them have the same time limit:
-// the first one's ends first, so that none waits for it longer than its own.
-Response RolloutService::answer_together(const Request& request, double start_s) {
-  const std::string question = serialized(request);
-  while (true) {
-    const auto place = shared_answers_.join(question);
-    if (place.leads) {
-      SharedAnswers<Response>::Lead lead(shared_answers_, question);
-      Response response = answer_in_turn(request, start_s, [&lead] { lead.begin(); });
-      const bool gave_up = response.error_code == Response::TIMED_OUT && response.steps_done == 0;
-      if (!gave_up) {
-        lead.answer(response);
-      }
-      return response;
-    }
-    if (const std::optional<Response>& response = place.result.get()) {
-      return *response;
-    }
-  }
-}
-
-Response RolloutService::answer_in_turn(const Request& request, double start_s,
-                                        const std::function<void()>& when_it_begins) {
-  const double limit_s =
-      request.max_wall_time.toSec() > 0.0 ? request.max_wall_time.toSec() : parameters_.service.max_wall_time;
-  const double left_s = limit_s - (steady_seconds() - start_s);
-  const std::unique_lock<std::timed_mutex> turn(turn_, std::chrono::duration<double>(left_s));
-  when_it_begins();
-  if (!turn) {
-    return failure(Response::TIMED_OUT,
-                   "max_wall_time: " + std::to_string(limit_s) + " s passed while other requests were answered");
-  }
   try {
-    return roll_out(request, steady_seconds() - start_s);
+    return answer_ready(request, asked);
   } catch (const RequestError& error) {
     return failure(error.code(), error.what());
   } catch (const std::exception& error) {
@@ -170,18 +120,33 @@ Response RolloutService::answer_in_turn(const Request& request, double start_s,
   }
 }
 
-Response RolloutService::roll_out(const Request& request, double waited_s) {
+std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, const RolloutSettings& settings,
+                                                    const std::set<int>& ends) {
   RequestSources sources;
   sources.live_scene = [this](double time_step_s) { return live_scene_.snapshot(time_step_s); };
   sources.model_for = [this](const ObservedScene& scene) { return forecaster_.model_for(scene); };
   sources.T_fixed_from = [this](const std::string& frame_id, const ros::Time& stamp) {
     return frames_.T_fixed_from(frame_id, stamp);
   };
-  sources.now = ros::Time::now();
-  RolloutTask task = read_request(request, parameters_, forecaster_.default_settings(), sources);
-  constexpr double kNoTimeLeft = 1e-9;  // [s] 0 would be no limit
-  task.settings.max_wall_time_s = std::max(task.settings.max_wall_time_s - waited_s, kNoTimeLeft);
-  SceneRollout rollout = forecaster_.roll_out(std::move(task.scene), task.settings);
+  rigidformer::RolloutOptions options = settings.options;
+  ObservedScene scene = read_scene(request, parameters_, options.time_step_s, sources);
+  options.time_step_s = scene.time_step_s;
+  return forecaster_.begin(std::move(scene), options, ends);
+}
+
+Response RolloutService::answer_ready(const Request& request, SharedRollout::Clock::time_point asked) {
+  RolloutTask task = read_task(request, parameters_, forecaster_.default_settings());
+  RolloutGroups<BegunRollout>::Place place(groups_, rollout_key(request), task.settings.options.num_steps);
+  const std::shared_ptr<BegunRollout> begun = place.begin(
+      time_limit(task.settings, asked), [&](const std::set<int>& ends) { return begin(request, task.settings, ends); });
+  if (!begun) {
+    return failure(Response::TIMED_OUT, "max_wall_time: " + std::to_string(task.settings.max_wall_time_s) +
+                                            " s passed while other requests were answered");
+  }
+  check_scene(request, task, begun->scene, parameters_, ros::Time::now());
+  task.settings.options.time_step_s = begun->scene.time_step_s;
+  SceneRollout rollout{begun->scene, roll_out(begun->steps, task.settings, asked), begun->model,
+                       /*trusted_horizon_s=*/0.0};
   if (is_empty(request.scene)) {
     rollout.trusted_horizon_s = quality_.get().trusted_horizon_s;  // measured on the live scene
   }

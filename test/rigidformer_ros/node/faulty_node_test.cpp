@@ -194,12 +194,29 @@ TEST_F(FaultyNodeTest, P23_waiting_for_others_counts_towards_the_wall_time) {
   Rollout::Request longer = request_about("slow", 500);
   longer.max_wall_time = ros::Duration(1.0);
   Storm storm(1, longer);
-  Rollout::Request impatient = request_about("good");
+  Rollout::Request impatient = request_about("slow", 500);
   impatient.max_wall_time = ros::Duration(0.05);
   EXPECT_TRUE(client.wait_until([&] {
     const Response response = client.call(impatient);
     return response.error_code == Response::TIMED_OUT && response.message.find("other requests") != std::string::npos;
   }));
+}
+
+// The long rollout takes 50 jobs of 50 ms at least.
+TEST_F(FaultyNodeTest, P23_a_short_request_is_answered_while_a_long_one_is_under_way) {
+  for (const char* about : {"slow", "good"}) {
+    std::atomic<bool> long_one_is_answered{false};
+    std::thread planner([&] {
+      EXPECT_EQ(client.call(request_about("slow", 400)).steps_done, 400U);
+      long_one_is_answered = true;
+    });
+    ros::WallDuration(0.3).sleep();
+    const Response response = client.call(request_about(about, 2));
+    EXPECT_TRUE(response.success) << response.message;
+    EXPECT_EQ(response.steps_done, 2U);
+    EXPECT_FALSE(long_one_is_answered) << "the short request about '" << about << "' waited for the long one";
+    planner.join();
+  }
 }
 
 // The forecast is still in progress when it is reported: three calls of a second each.

@@ -50,6 +50,13 @@ RolloutSettings settings(int steps) {
   return s;
 }
 
+// Of one user.
+RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<ObjectState>& objects, const RolloutSettings& s,
+                        double length_scale = 1.0) {
+  SharedRollout rollout(worker, objects, s.options, length_scale, {s.options.num_steps});
+  return rigidformer_ros::roll_out(rollout, s);
+}
+
 rigidformer::Forecast predict_nothing(rigidformer::Predictor& predictor) { return predictor.predict({}, {}); }
 
 // Loses the object "bad" from the third step of every call on.
@@ -135,10 +142,8 @@ TEST(Rollout, IsOneRolloutOfThePredictorInShortJobs) {
 
 TEST(Rollout, LengthScaleLeavesFreeFallUnchanged) {
   const auto worker = ready_worker([] { return std::make_unique<BallisticPredictor>(); });
-  RolloutSettings scaled = settings(12);
-  scaled.length_scale = 0.04;
   const Flight flight;
-  const RolloutOutcome outcome = roll_out(*worker, {flying("a", flight)}, scaled);
+  const RolloutOutcome outcome = roll_out(*worker, {flying("a", flight)}, settings(12), /*length_scale=*/0.04);
   EXPECT_LT((outcome.forecast.objects[0].poses.back().translation - flight.pose(12 * kTimeStep).translation).norm(),
             1e-9);
   EXPECT_NEAR(outcome.forecast.times_s.back(), 12 * kTimeStep, 1e-12);
