@@ -52,6 +52,15 @@ wait_for() {
     sleep 0.05
   done
 }
+
+# start_rollout TIME_STEP LOG [OPTION]: a long one. Whoever was cut off got an answer that says so, or none.
+start_rollout() {
+  local request="{num_steps: 500, time_step: $1, max_state_age: {secs: 30, nsecs: 0}}"
+  timeout 20 rosservice call ${3:+"$3"} /predict_rollout "$request" >"$2" 2>&1 &
+}
+num_cut_off() { grep -lE 'shuts down|transport error' "$logs"/rollout_*.log | wc -l; }
+all_rollouts_were_cut_off() { [ "$(num_cut_off)" -eq "$1" ]; }
+
 has_forecast() { timeout 15 rostopic echo -n 1 /forecast/header/stamp; }
 is_ready() { rosservice call /get_model_info '{}' | grep -q 'ready: True'; }
 is_gone() { ! kill -0 "$1"; }
@@ -117,11 +126,18 @@ interrupt_loading() {
   ends_in_time "$(interrupt "$node")"
 }
 
+# Three planners with different requests, so that none shares the rollout of another.
 interrupt_rollout() {
   start_all || { echo "no forecast to begin with"; return 1; }
-  timeout 60 rosservice call /predict_rollout '{num_steps: 500, max_state_age: 30.0}' >"$logs/rollout.log" 2>&1 &
+  local step seconds
+  rm -f "$logs"/rollout_*.log
+  for step in 0.01 0.02 0.03; do
+    start_rollout "$step" "$logs/rollout_$step.log"
+  done
   sleep 2
-  ends_in_time "$(interrupt "$node")"
+  seconds=$(interrupt "$node")
+  wait_for 20 all_rollouts_were_cut_off 3 || { echo "$(num_cut_off) of 3 rollouts were under way"; return 1; }
+  ends_in_time "$seconds" | sed 's/$/ with three rollouts under way/'
 }
 
 # Sixty starts, each interrupted after 0 to 5 s: before ROS runs, while the model is loaded, idle, in a rollout. A process that
@@ -129,10 +145,11 @@ interrupt_rollout() {
 interrupt_anytime() {
   local count=60 slowest=0 delay seconds code
   start_master && start_publisher || return 1
+  rm -f "$logs"/rollout_*.log "$logs/interrupts.log"
   for ((i = 0; i < count; ++i)); do
     start_node
     delay=$(awk -v r="$RANDOM" 'BEGIN {printf "%.2f", r / 32768 * 5}')
-    timeout 20 rosservice call --wait /predict_rollout '{num_steps: 500, max_state_age: 30.0}' >"$logs/rollout.log" 2>&1 &
+    start_rollout 0.0 "$logs/rollout_$i.log" --wait
     sleep "$delay"
     seconds=$(interrupt "$node")
     wait "$node"
@@ -142,7 +159,9 @@ interrupt_anytime() {
     slowest=$(awk -v a="$slowest" -v b="$seconds" 'BEGIN {print (a > b ? a : b)}')
     echo "interrupted after $delay s: code $code after $seconds s" >>"$logs/interrupts.log"
   done
-  echo "$count interrupts within 5 s after the start, no crash; the slowest took $slowest s"
+  sleep 1
+  [ "$(num_cut_off)" -gt 0 ] || { echo "no rollout was under way"; return 1; }
+  echo "$count interrupts within 5 s after the start, $(num_cut_off) of them in a rollout, no crash; the slowest took $slowest s"
 }
 
 # On a disk of 64 KiB: the writers of scenes and of bags say so and leave nothing that could be taken for a whole file.

@@ -122,6 +122,8 @@ void SharedRollout::take_result() {
         diverged_at_[i] = std::min(diverged_at_[i], steps_done_);
       }
     }
+  } catch (const std::future_error&) {
+    failure_ = "the rollout was ended: the node shuts down";
   } catch (const std::exception& error) {
     failure_ = error.what();
   }
