@@ -15,11 +15,11 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr int kMinPlanePoints = 3;
 
-// PCL's search trees must not meet a point that is not finite.
-std::vector<int> finite_rows(const rigidformer::Points& points) {
+// PCL's search trees must not meet a point that is not finite. The noise of far points leaves the plane of the ground.
+std::vector<int> usable_rows(const rigidformer::Points& points, double max_range) {
   std::vector<int> rows;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    if (points.row(i).allFinite()) {
+    if (points.row(i).allFinite() && (max_range <= 0.0 || points.row(i).norm() <= max_range)) {
       rows.push_back(static_cast<int>(i));
     }
   }
@@ -67,7 +67,7 @@ std::vector<int> without_ground(const rigidformer::Points& points, const std::ve
 }  // namespace
 
 std::vector<std::vector<int>> find_objects(const rigidformer::Points& points, const SegmentationOptions& options) {
-  const std::vector<int> rows = without_ground(points, finite_rows(points), options);
+  const std::vector<int> rows = without_ground(points, usable_rows(points, options.max_range), options);
   if (rows.empty()) {
     return {};
   }

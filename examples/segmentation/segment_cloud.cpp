@@ -50,6 +50,7 @@ class SegmentCloud {
       : labels_(ros::param::param("~max_match_distance", 0.1), ros::param::param("~max_missed_frames", 5)),
         publisher_(node.advertise<sensor_msgs::PointCloud2>("cloud", 2)),
         subscriber_(node.subscribe("points", 1, &SegmentCloud::on_cloud, this)) {
+    ros::param::param("~max_range", options_.max_range, options_.max_range);
     ros::param::param("~plane_distance", options_.plane_distance, options_.plane_distance);
     ros::param::param("~min_plane_share", options_.min_plane_share, options_.min_plane_share);
     ros::param::param("~cluster_tolerance", options_.cluster_tolerance, options_.cluster_tolerance);

@@ -45,6 +45,17 @@ TEST(EuclideanSegmentation, FindsTheObjectsAndLeavesTheGround) {
   }
 }
 
+TEST(EuclideanSegmentation, WhatIsFartherThanTheRangeIsNoObject) {
+  Points points = table_with_cubes(0.05);
+  points.bottomRows(400).col(1).array() += 3.0F;  // the second cube
+  SegmentationOptions options;
+  EXPECT_EQ(find_objects(points, options).size(), 1U);
+  options.max_range = 4.0;
+  EXPECT_EQ(find_objects(points, options).size(), 2U);
+  options.max_range = 0.0;
+  EXPECT_EQ(find_objects(points, options).size(), 2U) << "without a limit";
+}
+
 TEST(EuclideanSegmentation, ObjectsThatTouchAreOne) { EXPECT_EQ(find_objects(table_with_cubes(0.002), {}).size(), 1U); }
 
 TEST(EuclideanSegmentation, WithoutAPlaneNothingIsTakenForGround) {
