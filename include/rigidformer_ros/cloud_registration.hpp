@@ -26,7 +26,7 @@ constexpr Eigen::Index kMinRegisteredPoints = 10;
 struct CloudRegistration {
   RigidTransform T_world_object;
   RegistrationQuality quality;
-  std::string objection;      ///< Why the pose must not be trusted; empty = it may
+  std::string objection;       ///< Why the pose must not be trusted; empty = it may
   bool may_have_slid = false;  ///< Its faces end elsewhere than the reference's: hidden by something, or moved?
 };
 

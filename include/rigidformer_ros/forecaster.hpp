@@ -57,9 +57,9 @@ class Forecaster {
   /// Moves objects beyond the model's limit to scene.skipped. For requests of the numbers of steps in `ends`; nothing
   /// is predicted before somebody wants a step.
   std::shared_ptr<BegunRollout> begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
-                                      std::set<int> ends);
+                                      std::set<int> ends, JobLane lane);
 
-  /// All of it, for one user. Throws what the predictor throws.
+  /// All of it, for the forecast. Throws what the predictor throws.
   SceneRollout roll_out(ObservedScene scene, const RolloutSettings& settings);
 
  private:

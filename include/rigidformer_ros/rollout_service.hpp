@@ -23,9 +23,9 @@
 namespace rigidformer_ros {
 
 /// The services predict_rollout, get_model_info and reset. Handlers always return true, with failures in the answer.
-/// Rollouts take turns of a few steps with each other and with the forecast; requests that wait for the same scene and
-/// time step share one, each with its own number of steps, objects and time limit. One request is answered and
-/// service/max_clients_queued more may be under way or wait; the other services never wait for them.
+/// Rollouts take turns of a few steps with each other, every other turn is the forecast's; requests that wait for the
+/// same scene and time step share one, each with its own number of steps, objects and time limit. One request is
+/// answered and service/max_clients_queued more may be under way or wait; the other services never wait for them.
 class RolloutService {
  public:
   /// Threads that the callback queue of `node` needs: one per request that is answered or waits, one to turn others

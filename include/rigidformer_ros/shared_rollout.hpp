@@ -27,7 +27,7 @@ class SharedRollout {
   /// Jobs end at multiples of kStepsPerJob and at `ends`, of which the last is the longest. `length_scale` is real
   /// length / trained length. The worker must outlive the rollout.
   SharedRollout(InferenceWorker& worker, const std::vector<rigidformer::ObjectState>& objects,
-                rigidformer::RolloutOptions options, double length_scale, std::set<int> ends);
+                rigidformer::RolloutOptions options, double length_scale, std::set<int> ends, JobLane lane);
 
   /// Everything from the observation on to step `num_steps`, at which a job must end; empty if `limit` passed first.
   /// Diverged objects stand still from then on and keep their status. Throws if the predictor failed or the worker was
@@ -45,6 +45,7 @@ class SharedRollout {
   rigidformer::Forecast up_to(int num_steps) const;
 
   InferenceWorker& worker_;
+  const JobLane lane_;
   const double length_scale_;
   const std::set<int> ends_;
   const std::shared_ptr<State> state_;  ///< Also held by the job, which may outlive this

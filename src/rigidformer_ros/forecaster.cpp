@@ -59,17 +59,18 @@ RolloutSettings Forecaster::default_settings() const {
 }
 
 std::shared_ptr<BegunRollout> Forecaster::begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
-                                                std::set<int> ends) {
+                                                std::set<int> ends, JobLane lane) {
   const rigidformer::ModelInfo info = worker_.info();
   const double scale = length_scale(scene, info);
   skip_surplus(scene, info.max_objects);
   std::vector<rigidformer::ObjectState> objects = states(scene);
-  return std::shared_ptr<BegunRollout>(new BegunRollout{
-      std::move(scene), to_real_scale(info, scale), SharedRollout(worker_, objects, options, scale, std::move(ends))});
+  return std::shared_ptr<BegunRollout>(
+      new BegunRollout{std::move(scene), to_real_scale(info, scale),
+                       SharedRollout(worker_, objects, options, scale, std::move(ends), lane)});
 }
 
 SceneRollout Forecaster::roll_out(ObservedScene scene, const RolloutSettings& settings) {
-  const auto begun = begin(std::move(scene), settings.options, {settings.options.num_steps});
+  const auto begun = begin(std::move(scene), settings.options, {settings.options.num_steps}, JobLane::kForecast);
   RolloutOutcome outcome = rigidformer_ros::roll_out(begun->steps, settings);
   return {std::move(begun->scene), std::move(outcome), begun->model, /*trusted_horizon_s=*/0.0};
 }

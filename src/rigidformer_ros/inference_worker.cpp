@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer_ros/inference_worker.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -19,7 +20,7 @@ void InferenceWorker::stop() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
-    jobs_.clear();
+    lanes_ = {};
   }
   wake_.notify_all();
 }
@@ -50,8 +51,8 @@ rigidformer::ModelInfo InferenceWorker::info() const {
 }
 
 std::future<rigidformer::Forecast> InferenceWorker::run(
-    std::function<rigidformer::Forecast(rigidformer::Predictor&)> wanted) {
-  std::packaged_task<rigidformer::Forecast()> job([this, wanted = std::move(wanted)] { return wanted(*predictor_); });
+    std::function<rigidformer::Forecast(rigidformer::Predictor&)> wanted, JobLane lane) {
+  Job job([this, wanted = std::move(wanted)] { return wanted(*predictor_); });
   std::future<rigidformer::Forecast> result = job.get_future();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -61,7 +62,7 @@ std::future<rigidformer::Forecast> InferenceWorker::run(
     if (stopping_) {
       throw std::logic_error("no prediction while the node shuts down");
     }
-    jobs_.push_back(std::move(job));
+    lanes_.at(static_cast<std::size_t>(lane)).push_back(std::move(job));
   }
   wake_.notify_all();
   return result;
@@ -85,16 +86,28 @@ void InferenceWorker::load(const PredictorFactory& make_predictor) {
   state_ = outcome;
 }
 
+bool InferenceWorker::has_job() const {
+  return std::any_of(lanes_.begin(), lanes_.end(), [](const std::deque<Job>& jobs) { return !jobs.empty(); });
+}
+
+InferenceWorker::Job InferenceWorker::take_job() {
+  next_lane_ = lanes_.at(next_lane_).empty() ? 1 - next_lane_ : next_lane_;
+  std::deque<Job>& jobs = lanes_.at(next_lane_);
+  next_lane_ = 1 - next_lane_;
+  Job job = std::move(jobs.front());
+  jobs.pop_front();
+  return job;
+}
+
 void InferenceWorker::live(const PredictorFactory& make_predictor) {
   load(make_predictor);
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
-    wake_.wait(lock, [this] { return stopping_ || !jobs_.empty(); });
+    wake_.wait(lock, [this] { return stopping_ || has_job(); });
     if (stopping_) {
       return;
     }
-    std::packaged_task<rigidformer::Forecast()> job = std::move(jobs_.front());
-    jobs_.pop_front();
+    Job job = take_job();
     lock.unlock();
     job();
     lock.lock();

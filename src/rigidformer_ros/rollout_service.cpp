@@ -131,7 +131,7 @@ std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, cons
   rigidformer::RolloutOptions options = settings.options;
   ObservedScene scene = read_scene(request, parameters_, options.time_step_s, sources);
   options.time_step_s = scene.time_step_s;
-  return forecaster_.begin(std::move(scene), options, ends);
+  return forecaster_.begin(std::move(scene), options, ends, JobLane::kRequest);
 }
 
 Response RolloutService::answer_ready(const Request& request, SharedRollout::Clock::time_point asked) {

@@ -58,8 +58,9 @@ struct SharedRollout::State {
 };
 
 SharedRollout::SharedRollout(InferenceWorker& worker, const std::vector<ObjectState>& objects,
-                             rigidformer::RolloutOptions options, double length_scale, std::set<int> ends)
+                             rigidformer::RolloutOptions options, double length_scale, std::set<int> ends, JobLane lane)
     : worker_(worker),
+      lane_(lane),
       length_scale_(length_scale),
       ends_(std::move(ends)),
       state_(std::make_shared<State>()),
@@ -110,7 +111,7 @@ std::shared_future<Forecast> SharedRollout::next_job() {
     }
     return state->rollout->advance(num_steps);
   };
-  return worker_.run(job).share();
+  return worker_.run(job, lane_).share();
 }
 
 void SharedRollout::take_result() {

@@ -53,7 +53,7 @@ RolloutSettings settings(int steps) {
 // Of one user.
 RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<ObjectState>& objects, const RolloutSettings& s,
                         double length_scale = 1.0) {
-  SharedRollout rollout(worker, objects, s.options, length_scale, {s.options.num_steps});
+  SharedRollout rollout(worker, objects, s.options, length_scale, {s.options.num_steps}, JobLane::kForecast);
   return rigidformer_ros::roll_out(rollout, s);
 }
 
@@ -210,7 +210,7 @@ TEST(InferenceWorker, P15_says_why_the_model_is_missing_and_passes_errors_on) {
       []() -> std::unique_ptr<rigidformer::Predictor> { throw std::runtime_error("no such file: x.safetensors"); });
   EXPECT_EQ(failed->state(), InferenceWorker::State::kFailed);
   EXPECT_NE(failed->message().find("x.safetensors"), std::string::npos);
-  EXPECT_THROW(failed->run(predict_nothing), std::logic_error);
+  EXPECT_THROW(failed->run(predict_nothing, JobLane::kForecast), std::logic_error);
 
   class Throwing : public BallisticPredictor {
     rigidformer::Forecast predict(const std::vector<ObjectState>&, const rigidformer::RolloutOptions&) override {
@@ -218,8 +218,8 @@ TEST(InferenceWorker, P15_says_why_the_model_is_missing_and_passes_errors_on) {
     }
   };
   const auto worker = ready_worker([] { return std::make_unique<Throwing>(); });
-  EXPECT_THROW(worker->run(predict_nothing).get(), std::runtime_error);
-  EXPECT_THROW(worker->run(predict_nothing).get(), std::runtime_error);
+  EXPECT_THROW(worker->run(predict_nothing, JobLane::kForecast).get(), std::runtime_error);
+  EXPECT_THROW(worker->run(predict_nothing, JobLane::kForecast).get(), std::runtime_error);
 }
 
 // Its warm-up lasts until somebody allows it to end.
@@ -239,7 +239,7 @@ TEST(InferenceWorker, P17_is_ready_only_after_the_warm_up) {
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(worker.state(), InferenceWorker::State::kLoading);
   EXPECT_NE(worker.message().find("warmed up"), std::string::npos);
-  EXPECT_THROW(worker.run(predict_nothing), std::logic_error);
+  EXPECT_THROW(worker.run(predict_nothing, JobLane::kForecast), std::logic_error);
   warm.set_value();
   while (worker.state() == InferenceWorker::State::kLoading) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -63,7 +63,7 @@ class SharedRolloutTest : public ::testing::Test {
     }
   }
 
-  std::unique_ptr<SharedRollout> start(const std::string& id, std::set<int> ends) {
+  std::unique_ptr<SharedRollout> start(const std::string& id, std::set<int> ends, JobLane lane = JobLane::kRequest) {
     ObjectState state;
     state.id = id;
     state.points_reference = testing::blob();
@@ -71,16 +71,21 @@ class SharedRolloutTest : public ::testing::Test {
     state.T_world_current = testing::Flight().pose(0.0);
     rigidformer::RolloutOptions options;
     options.time_step_s = kTimeStep;
-    return std::make_unique<SharedRollout>(*worker, std::vector<ObjectState>{state}, options, 1.0, std::move(ends));
+    return std::make_unique<SharedRollout>(*worker, std::vector<ObjectState>{state}, options, 1.0, std::move(ends),
+                                           lane);
   }
 
   // Keeps the predictor busy until the promise is kept.
   std::future<Forecast> occupy(std::shared_future<void> until) {
-    return worker->run([until](rigidformer::Predictor&) {
-      until.wait();
-      return Forecast();
-    });
+    return worker->run(
+        [until](rigidformer::Predictor&) {
+          until.wait();
+          return Forecast();
+        },
+        JobLane::kForecast);
   }
+
+  static Clock::time_point soon() { return Clock::now() + std::chrono::milliseconds(5); }
 
   static RolloutSettings settings(int num_steps) {
     RolloutSettings s;
@@ -134,23 +139,39 @@ TEST_F(SharedRolloutTest, WhoEndsBeforeAnObjectIsLostIsNotToldOfIt) {
 }
 
 // All of them hand in one job and wait; who has had a turn goes to the end of the queue.
-TEST_F(SharedRolloutTest, RolloutsTakeTurns) {
+TEST_F(SharedRolloutTest, RequestsTakeTurns) {
   std::promise<void> go;
   const auto busy = occupy(go.get_future().share());
-  const auto lasting = start("lasting", {400}), brief = start("brief", {2}), forecast = start("forecast", {24});
-  const auto soon = [] { return Clock::now() + std::chrono::milliseconds(5); };
+  const auto lasting = start("lasting", {400}), brief = start("brief", {2}), third = start("third", {24});
   EXPECT_FALSE(lasting->advance_to(8, soon()));
   EXPECT_FALSE(lasting->advance_to(8, soon())) << "still waits for its turn, and has no second job";
   EXPECT_FALSE(brief->advance_to(2, soon()));
-  EXPECT_FALSE(forecast->advance_to(8, soon()));
+  EXPECT_FALSE(third->advance_to(8, soon()));
   go.set_value();
   busy.wait();
-  EXPECT_TRUE(forecast->advance_to(8, kLongTime)) << "the last of the three";
-  EXPECT_EQ(jobs, Jobs({"lasting 8", "brief 2", "forecast 8"}));
+  EXPECT_TRUE(third->advance_to(8, kLongTime)) << "the last of the three";
+  EXPECT_EQ(jobs, Jobs({"lasting 8", "brief 2", "third 8"}));
   EXPECT_TRUE(brief->advance_to(2, Clock::now())) << "answered long before the end of the other";
   EXPECT_TRUE(lasting->advance_to(16, kLongTime));
-  EXPECT_TRUE(forecast->advance_to(16, kLongTime));
-  EXPECT_EQ(jobs, Jobs({"lasting 8", "brief 2", "forecast 8", "lasting 8", "forecast 8"}));
+  EXPECT_TRUE(third->advance_to(16, kLongTime));
+  EXPECT_EQ(jobs, Jobs({"lasting 8", "brief 2", "third 8", "lasting 8", "third 8"}));
+}
+
+TEST_F(SharedRolloutTest, EveryOtherTurnIsTheForecasts) {
+  std::promise<void> go;
+  const auto busy = occupy(go.get_future().share());
+  std::vector<std::unique_ptr<SharedRollout>> requests;
+  for (const char* id : {"a", "b", "c"}) {
+    requests.push_back(start(id, {8}));
+    EXPECT_FALSE(requests.back()->advance_to(8, soon()));
+  }
+  const auto forecast = start("forecast", {8}, JobLane::kForecast);
+  const auto newer = start("newer", {8}, JobLane::kForecast);
+  EXPECT_FALSE(forecast->advance_to(8, soon()));
+  EXPECT_FALSE(newer->advance_to(8, soon()));
+  go.set_value();
+  EXPECT_TRUE(requests.back()->advance_to(8, kLongTime));
+  EXPECT_EQ(jobs, Jobs({"a 8", "forecast 8", "b 8", "newer 8", "c 8"}));
 }
 
 TEST_F(SharedRolloutTest, WhoGivesUpLeavesTheStepsToTheOthers) {
