@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -30,7 +31,8 @@ class ReferenceCloud {
 
   const Points& points() const { return tree_.points(); }  ///< [N, 3] m
   const Points& normals() const { return normals_; }       ///< [N, 3], sign arbitrary; zero = no normal
-  const Points& borders() const { return borders_; }       ///< [N, 3], outward where a face ends; zero elsewhere
+  /// Outward where a face ends; zero elsewhere. Not for several threads at once.
+  const Eigen::Vector3f& border(int row) const;
   /// The points that were averaged for a row, some of those seen there.
   const std::vector<Eigen::Vector3f>& seen(int row) const { return samples_[static_cast<std::size_t>(row)].points; }
   double size_m() const { return size_m_; }  ///< Diameter of what is known
@@ -76,7 +78,7 @@ class ReferenceCloud {
   Candidates candidates_;
   PointTree tree_;
   Points normals_;
-  Points borders_;
+  mutable std::vector<std::optional<Eigen::Vector3f>> borders_;  ///< Found when asked for: few rows ever are
 };
 
 }  // namespace rigidformer_ros

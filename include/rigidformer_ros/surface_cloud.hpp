@@ -28,8 +28,9 @@ bool on_same_face(const Eigen::Vector3f& normal_a, const Eigen::Vector3f& normal
 /// near an edge gets the normal of the face that it lies on as closely as `noise_m` allows.
 SurfaceCloud estimate_surface(const Points& points, double noise_m);
 
-/// Where faces end: unit vectors [N, 3] along the surface, outward; zero elsewhere. A surface that bends away out of
-/// view, by its normals and the object's `size_m`, does not end.
-Points find_borders(const PointTree& tree, const Points& normals, double size_m);
+/// Where a face ends: unit vector along the surface, outward, at row `row` of the points in `tree` [N, 3] m with
+/// `normals` [N, 3]; zero elsewhere. A surface that bends away out of view, by its normals and the object's `size_m`,
+/// does not end.
+Eigen::Vector3f find_border(const PointTree& tree, const Points& normals, Eigen::Index row, double size_m);
 
 }  // namespace rigidformer_ros

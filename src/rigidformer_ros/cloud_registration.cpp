@@ -39,10 +39,12 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
 // most sharply there.
 Eigen::Matrix3d square_to_borders(const ReferenceCloud& reference, const Eigen::Matrix3d& directions) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (Eigen::Index i = 0; i < reference.borders().rows(); ++i) {
-    const Eigen::Vector3d border = directions.transpose() * reference.borders().row(i).transpose().cast<double>();
-    const double normal = reference.normals().row(i).cast<double>().dot(directions.col(2));
-    if (std::abs(normal) > kInPlane && !border.isZero()) {
+  for (int row = 0; row < reference.points().rows(); ++row) {
+    if (std::abs(reference.normals().row(row).cast<double>().dot(directions.col(2))) < kInPlane) {
+      continue;
+    }
+    const Eigen::Vector3d border = directions.transpose() * reference.border(row).cast<double>();
+    if (!border.isZero()) {
       const double angle = 4.0 * std::atan2(border.y(), border.x());  // a quarter turn makes no difference
       sum += Eigen::Vector2d(std::cos(angle), std::sin(angle));
     }
@@ -55,7 +57,7 @@ Eigen::Matrix3d square_to_borders(const ReferenceCloud& reference, const Eigen::
 struct Residual {
   Eigen::Vector3d vector;  ///< From the nearest reference point of its face
   Eigen::Vector3d normal;  ///< Zero = none
-  Eigen::Vector3d border;  ///< Outward along the surface where it ends; zero elsewhere
+  int row;                 ///< Of that reference point
   double distance;         ///< From the surface, or from the point where there is no normal
   bool is_known_face;      ///< The reference point may be of the cloud point's face
   bool overlaps;           ///< Lies where that face is known
@@ -120,7 +122,7 @@ Residual Registration::residual(const RigidTransform& T_object_world, Eigen::Ind
   Residual r;
   r.vector = point_object - reference_.points().row(row).transpose().cast<double>();
   r.normal = reference_.normals().row(row).transpose().cast<double>();
-  r.border = reference_.borders().row(row).transpose().cast<double>();
+  r.row = row;
   r.is_known_face =
       r.normal.isZero() || normal_object.isZero() || on_same_face(r.normal.cast<float>(), normal_object.cast<float>());
   const double voxel = reference_.voxel_size_m();
@@ -178,7 +180,8 @@ Registration::System Registration::linearize(const RigidTransform& T_object_worl
     metric += r.normal * r.normal.transpose();
     if (!is_coarse && with_borders) {
       // Points near a border lie on average where the reference's do; if more lie outward, the face has slid that way.
-      metric += kBorderWeight * r.border * r.border.transpose();
+      const Eigen::Vector3d border = reference_.border(r.row).cast<double>();
+      metric += kBorderWeight * border * border.transpose();
     }
     Eigen::Matrix<double, 3, 6> jacobian;
     jacobian.leftCols<3>() = -cross_matrix(point - center) / radius();

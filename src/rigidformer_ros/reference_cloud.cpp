@@ -97,6 +97,14 @@ int ReferenceCloud::nearest(const Eigen::Vector3f& point_object, const Eigen::Ve
   return found == end ? closest : *found;
 }
 
+const Eigen::Vector3f& ReferenceCloud::border(int row) const {
+  std::optional<Eigen::Vector3f>& border = borders_[static_cast<std::size_t>(row)];
+  if (!border) {
+    border = find_border(tree_, normals_, row, size_m_);
+  }
+  return *border;
+}
+
 void ReferenceCloud::grow(const SurfaceCloud& cloud_object) {
   ++num_clouds_;
   for (Eigen::Index i = 0; i < cloud_object.points.rows(); ++i) {
@@ -215,7 +223,7 @@ void ReferenceCloud::rebuild() {
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     normals_.row(static_cast<Eigen::Index>(i)) = samples_[i].normal().transpose();
   }
-  borders_ = find_borders(tree_, normals_, size_m_);
+  borders_.assign(samples_.size(), std::nullopt);
   num_averaged_ = 0;
 }
 

@@ -161,19 +161,14 @@ SurfaceCloud estimate_surface(const Points& points, double noise_m) {
   return cloud;
 }
 
-Points find_borders(const PointTree& tree, const Points& normals, double size_m) {
-  Points borders = Points::Zero(normals.rows(), 3);
-  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-    if (normals.row(i).isZero()) {
-      continue;
-    }
-    const Patch patch(tree, normals, i);
-    const Eigen::Vector3f outward = patch.outward();
-    if (!outward.isZero() && patch.bend(outward) * static_cast<float>(size_m) < kBend) {
-      borders.row(i) = outward.transpose();
-    }
+Eigen::Vector3f find_border(const PointTree& tree, const Points& normals, Eigen::Index row, double size_m) {
+  if (normals.row(row).isZero()) {
+    return Eigen::Vector3f::Zero();
   }
-  return borders;
+  const Patch patch(tree, normals, row);
+  const Eigen::Vector3f outward = patch.outward();
+  const bool bends_away = patch.bend(outward) * static_cast<float>(size_m) >= kBend;
+  return bends_away ? Eigen::Vector3f::Zero() : outward;
 }
 
 }  // namespace rigidformer_ros
