@@ -63,7 +63,7 @@ endif()
 # For the example that segments the clouds of a bare depth camera, and for the benchmark of the registration.
 if(RIGIDFORMER_ROS)
   enable_language(C)  # VTK, which PCL looks for, wants MPI's C library; catkin_make's workspace has C enabled already
-  find_package(PCL QUIET COMPONENTS common kdtree registration search sample_consensus segmentation)
+  find_package(PCL QUIET COMPONENTS common kdtree octree registration search sample_consensus segmentation)
   if(NOT PCL_FOUND)
     message(STATUS "${PROJECT_NAME}: PCL not found. The example `segment_cloud` is NOT built (install libpcl-dev).")
   endif()

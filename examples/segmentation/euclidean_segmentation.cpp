@@ -3,17 +3,25 @@
 #include "euclidean_segmentation.hpp"
 
 #include <pcl/ModelCoefficients.h>
+#include <pcl/octree/octree_pointcloud_pointvector.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/extract_clusters.h>
 #include <pcl/segmentation/sac_segmentation.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr int kMinPlanePoints = 3;
+constexpr std::size_t kMinPlanePoints = 3;
+constexpr std::size_t kMaxPlanePoints = 20000;
+constexpr double kVoxelShare = 0.25;  // of the cluster tolerance
 
 // PCL's search trees must not meet a point that is not finite. The noise of far points leaves the plane of the ground.
 std::vector<int> usable_rows(const rigidformer::Points& points, double max_range) {
@@ -26,10 +34,16 @@ std::vector<int> usable_rows(const rigidformer::Points& points, double max_range
   return rows;
 }
 
-Cloud::Ptr make_cloud(const rigidformer::Points& points, const std::vector<int>& rows) {
+pcl::PointXYZ to_pcl(const rigidformer::Points& points, int row) {
+  return {points(row, 0), points(row, 1), points(row, 2)};
+}
+
+// Every n-th of the rows: enough to find a plane.
+Cloud::Ptr make_plane_cloud(const rigidformer::Points& points, const std::vector<int>& rows) {
   const Cloud::Ptr cloud(new Cloud);
-  for (const int row : rows) {
-    cloud->push_back({points(row, 0), points(row, 1), points(row, 2)});
+  const std::size_t stride = rows.size() / kMaxPlanePoints + 1;
+  for (std::size_t i = 0; i < rows.size(); i += stride) {
+    cloud->push_back(to_pcl(points, rows[i]));
   }
   return cloud;
 }
@@ -37,31 +51,62 @@ Cloud::Ptr make_cloud(const rigidformer::Points& points, const std::vector<int>&
 // The rows that do not lie on the largest plane.
 std::vector<int> without_ground(const rigidformer::Points& points, const std::vector<int>& rows,
                                 const SegmentationOptions& options) {
-  if (rows.size() < kMinPlanePoints) {
+  const Cloud::Ptr cloud = make_plane_cloud(points, rows);
+  if (cloud->size() < kMinPlanePoints) {
     return rows;
   }
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setModelType(pcl::SACMODEL_PLANE);
   segmentation.setMethodType(pcl::SAC_RANSAC);
   segmentation.setDistanceThreshold(options.plane_distance);
-  segmentation.setInputCloud(make_cloud(points, rows));
+  segmentation.setInputCloud(cloud);
   pcl::PointIndices ground;
   pcl::ModelCoefficients plane;
   segmentation.segment(ground, plane);
-  if (static_cast<double>(ground.indices.size()) < options.min_plane_share * static_cast<double>(rows.size())) {
+  if (static_cast<double>(ground.indices.size()) < options.min_plane_share * static_cast<double>(cloud->size())) {
     return rows;
   }
-  std::vector<bool> is_ground(rows.size(), false);
-  for (const int index : ground.indices) {
-    is_ground[static_cast<std::size_t>(index)] = true;
-  }
   std::vector<int> rest;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!is_ground[i]) {
-      rest.push_back(rows[i]);
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(rest), [&](int row) {
+    const double distance = pcl::pointToPlaneDistance(to_pcl(points, row), plane.values[0], plane.values[1],
+                                                      plane.values[2], plane.values[3]);
+    return distance > options.plane_distance;
+  });
+  return rest;
+}
+
+// The rows that fall into each of the occupied voxels: the search for neighbours grows with the square of their
+// density, so that it must not see every pixel.
+std::vector<std::vector<int>> group_by_voxel(const rigidformer::Points& points, const std::vector<int>& rows,
+                                             double voxel_size) {
+  const Cloud::Ptr cloud(new Cloud);
+  for (const int row : rows) {
+    cloud->push_back(to_pcl(points, row));
+  }
+  pcl::octree::OctreePointCloudPointVector<pcl::PointXYZ> octree(voxel_size);
+  octree.setInputCloud(cloud);
+  octree.addPointsFromInputCloud();
+  std::vector<std::vector<int>> voxels;
+  for (auto leaf = octree.leaf_depth_begin(); leaf != octree.leaf_depth_end(); ++leaf) {
+    voxels.emplace_back();
+    for (const int index : leaf.getLeafContainer().getPointIndicesVector()) {
+      voxels.back().push_back(rows[static_cast<std::size_t>(index)]);
     }
   }
-  return rest;
+  return voxels;
+}
+
+Cloud::Ptr make_center_cloud(const rigidformer::Points& points, const std::vector<std::vector<int>>& voxels) {
+  const Cloud::Ptr cloud(new Cloud);
+  for (const std::vector<int>& voxel : voxels) {
+    Eigen::RowVector3f sum = Eigen::RowVector3f::Zero();
+    for (const int row : voxel) {
+      sum += points.row(row);
+    }
+    const Eigen::RowVector3f center = sum / static_cast<float>(voxel.size());
+    cloud->push_back({center.x(), center.y(), center.z()});
+  }
+  return cloud;
 }
 
 }  // namespace
@@ -71,21 +116,25 @@ std::vector<std::vector<int>> find_objects(const rigidformer::Points& points, co
   if (rows.empty()) {
     return {};
   }
-  const Cloud::Ptr cloud = make_cloud(points, rows);
+  const auto voxels = group_by_voxel(points, rows, kVoxelShare * options.cluster_tolerance);
+  const Cloud::Ptr centers = make_center_cloud(points, voxels);
   const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
-  tree->setInputCloud(cloud);
+  tree->setInputCloud(centers);
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
   extraction.setClusterTolerance(options.cluster_tolerance);
-  extraction.setMinClusterSize(options.min_cluster_points);
   extraction.setSearchMethod(tree);
-  extraction.setInputCloud(cloud);
+  extraction.setInputCloud(centers);
   std::vector<pcl::PointIndices> clusters;
   extraction.extract(clusters);
   std::vector<std::vector<int>> objects;
   for (const pcl::PointIndices& cluster : clusters) {
-    objects.emplace_back();
+    std::vector<int> object;
     for (const int index : cluster.indices) {
-      objects.back().push_back(rows[static_cast<std::size_t>(index)]);
+      const std::vector<int>& voxel = voxels[static_cast<std::size_t>(index)];
+      object.insert(object.end(), voxel.begin(), voxel.end());
+    }
+    if (object.size() >= static_cast<std::size_t>(options.min_cluster_points)) {
+      objects.push_back(std::move(object));
     }
   }
   return objects;

@@ -11,7 +11,7 @@ struct SegmentationOptions {
   double max_range = 1.5;         ///< [m] points farther from the camera (the cloud's origin) are left out; 0 = none is
   double plane_distance = 0.008;  ///< [m] points this near to the largest plane are ground
   double min_plane_share = 0.2;   ///< A plane with fewer of the points is no ground
-  double cluster_tolerance = 0.02;  ///< [m] points nearer than this belong together
+  double cluster_tolerance = 0.02;  ///< [m] points nearer than this belong together, to about a quarter of it
   int min_cluster_points = 30;
 };
 

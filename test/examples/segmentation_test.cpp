@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
+#include <vector>
 
 #include "euclidean_segmentation.hpp"
 #include "rigidformer/geometry/random.hpp"
@@ -54,6 +56,24 @@ TEST(EuclideanSegmentation, WhatIsFartherThanTheRangeIsNoObject) {
   EXPECT_EQ(find_objects(points, options).size(), 2U);
   options.max_range = 0.0;
   EXPECT_EQ(find_objects(points, options).size(), 2U) << "without a limit";
+}
+
+// As a camera sees them from near: many points in each voxel, of which none may be lost or stand twice.
+TEST(EuclideanSegmentation, DenseCloudsGoToTheirObjectsPointByPoint) {
+  const Points sparse = table_with_cubes(0.05);
+  constexpr int kCopies = 12;
+  Points points(kCopies * sparse.rows(), 3);
+  for (int copy = 0; copy < kCopies; ++copy) {
+    points.middleRows(copy * sparse.rows(), sparse.rows()) = sparse.array() + 1e-4F * static_cast<float>(copy);
+  }
+  const auto objects = find_objects(points, {});
+  ASSERT_EQ(objects.size(), 2U);
+  std::set<int> labelled;
+  for (const std::vector<int>& rows : objects) {
+    labelled.insert(rows.begin(), rows.end());
+    EXPECT_EQ(rows.size(), 400U * kCopies);
+  }
+  EXPECT_EQ(labelled.size(), 800U * kCopies);
 }
 
 TEST(EuclideanSegmentation, ObjectsThatTouchAreOne) { EXPECT_EQ(find_objects(table_with_cubes(0.002), {}).size(), 1U); }
