@@ -63,7 +63,8 @@ std::vector<int> without_ground(const rigidformer::Points& points, const std::ve
   pcl::PointIndices ground;
   pcl::ModelCoefficients plane;
   segmentation.segment(ground, plane);
-  if (static_cast<double>(ground.indices.size()) < options.min_plane_share * static_cast<double>(cloud->size())) {
+  if (ground.indices.empty() ||
+      static_cast<double>(ground.indices.size()) < options.min_plane_share * static_cast<double>(cloud->size())) {
     return rows;
   }
   std::vector<int> rest;
@@ -133,7 +134,7 @@ std::vector<std::vector<int>> find_objects(const rigidformer::Points& points, co
       const std::vector<int>& voxel = voxels[static_cast<std::size_t>(index)];
       object.insert(object.end(), voxel.begin(), voxel.end());
     }
-    if (object.size() >= static_cast<std::size_t>(options.min_cluster_points)) {
+    if (static_cast<int>(object.size()) >= options.min_cluster_points) {
       objects.push_back(std::move(object));
     }
   }

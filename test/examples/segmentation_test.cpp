@@ -87,6 +87,14 @@ TEST(EuclideanSegmentation, WithoutAPlaneNothingIsTakenForGround) {
   EXPECT_EQ(objects[0].size() + objects[1].size(), 800U);
 }
 
+TEST(EuclideanSegmentation, PointsOnOneSpotHaveNoPlaneWhateverItsShareMayBe) {
+  SegmentationOptions options;
+  options.min_plane_share = 0.0;
+  const auto objects = find_objects(Points::Constant(50, 3, 0.1F), options);
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects.front().size(), 50U);
+}
+
 TEST(EuclideanSegmentation, P01_P02_NanAndNearlyEmptyCloudsGiveNoObjects) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_TRUE(find_objects(Points(0, 3), {}).empty());
