@@ -5,7 +5,7 @@
 
 All headers of the project go through it as one translation unit, which parses ROS, Eigen and LibTorch once: seconds,
 and every type, function and member is seen. --sources checks every source as well, each of which parses them again:
-ten minutes of two cores. Needs a build made by scripts/build.sh.
+minutes. Needs a build made by scripts/build.sh.
 """
 import argparse
 import json
