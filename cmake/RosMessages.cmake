@@ -5,7 +5,10 @@ else()
   set(ros_packages diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib roscpp
       rosbag_storage rosgraph_msgs roslib sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros visualization_msgs)
   # What other packages may link; LibTorch and Bullet stay inside these libraries.
-  set(exported_libraries rigidformer rigidformer_core)
+  set(exported_libraries rigidformer_ros_node rigidformer rigidformer_core)
+  if(BULLET_FOUND)
+    list(APPEND exported_libraries rigidformer_simulation)
+  endif()
   set(exported_folders include)
   set(exported_systems EIGEN3)
 endif()

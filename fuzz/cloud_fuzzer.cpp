@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "rigidformer_ros/cloud_conversion.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 
 namespace {
 

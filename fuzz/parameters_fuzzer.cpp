@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/parameters/parameters.hpp"
 #include "rigidformer_ros/yaml_tree.hpp"
 
 /// Text to YAML to the tree that the parameter server would hand out: accepted, or refused with an explanation.

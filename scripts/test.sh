@@ -15,7 +15,8 @@ logs=$workspace/logs
 results=$workspace/build/test_results
 # Every test program whose result must be there; a rostest leaves a result for its .test file.
 expected=(gtest-core_tests.xml gtest-simulation_tests.xml gtest-learning_tests.xml gtest-ros_unit_tests.xml
-  gtest-demo_tests.xml gtest-baseline_tests.xml gtest-camera_tests.xml gtest-segmentation_tests.xml gtest-tracking_tests.xml)
+  gtest-demo_tests.xml gtest-baseline_tests.xml gtest-camera_tests.xml gtest-accuracy_tests.xml gtest-segmentation_tests.xml
+  gtest-tracking_tests.xml gtest-service_tests.xml)
 
 export PATH=/usr/bin:/bin:$PATH ROS_HOSTNAME=localhost ROS_HOME=$workspace/ros_home
 # Threads of the maths libraries wait busily and would disturb each other.

@@ -97,15 +97,15 @@ std::vector<std::vector<int>> group_by_voxel(const rigidformer::Points& points, 
   return voxels;
 }
 
-Cloud::Ptr make_center_cloud(const rigidformer::Points& points, const std::vector<std::vector<int>>& voxels) {
+Cloud::Ptr make_centre_cloud(const rigidformer::Points& points, const std::vector<std::vector<int>>& voxels) {
   const Cloud::Ptr cloud(new Cloud);
   for (const std::vector<int>& voxel : voxels) {
     Eigen::RowVector3f sum = Eigen::RowVector3f::Zero();
     for (const int row : voxel) {
       sum += points.row(row);
     }
-    const Eigen::RowVector3f center = sum / static_cast<float>(voxel.size());
-    cloud->push_back({center.x(), center.y(), center.z()});
+    const Eigen::RowVector3f centre = sum / static_cast<float>(voxel.size());
+    cloud->push_back({centre.x(), centre.y(), centre.z()});
   }
   return cloud;
 }
@@ -118,13 +118,13 @@ std::vector<std::vector<int>> find_objects(const rigidformer::Points& points, co
     return {};
   }
   const auto voxels = group_by_voxel(points, rows, kVoxelShare * options.cluster_tolerance);
-  const Cloud::Ptr centers = make_center_cloud(points, voxels);
+  const Cloud::Ptr centres = make_centre_cloud(points, voxels);
   const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
-  tree->setInputCloud(centers);
+  tree->setInputCloud(centres);
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
   extraction.setClusterTolerance(options.cluster_tolerance);
   extraction.setSearchMethod(tree);
-  extraction.setInputCloud(centers);
+  extraction.setInputCloud(centres);
   std::vector<pcl::PointIndices> clusters;
   extraction.extract(clusters);
   std::vector<std::vector<int>> objects;

@@ -11,7 +11,8 @@
 #include <exception>
 
 #include "euclidean_segmentation.hpp"
-#include "rigidformer_ros/cloud_conversion.hpp"
+#include "rigidformer/geometry/point_rows.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 #include "stable_labels.hpp"
 
 namespace {
@@ -24,7 +25,7 @@ constexpr std::uint64_t kMaxPoints = 4000000;
 std::vector<Eigen::Vector3d> centroids_of(const Points& points, const std::vector<std::vector<int>>& objects) {
   std::vector<Eigen::Vector3d> centroids;
   for (const std::vector<int>& rows : objects) {
-    centroids.push_back(rigidformer_ros::select_rows(points, rows).cast<double>().colwise().mean().transpose());
+    centroids.push_back(rigidformer::select_rows(points, rows).cast<double>().colwise().mean().transpose());
   }
   return centroids;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rigidformer/rollout.hpp"
 #include "rigidformer/scene/object.hpp"
 #include "rigidformer/scene/rollout_options.hpp"
 
@@ -25,21 +26,6 @@ struct PredictorOptions {
   double engine_share = -1.0;         ///< Share of the physics engine's step, in [0, 1]; negative = as learned
 };
 
-/// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; index 0 is the
-/// observation.
-struct ObjectForecast {
-  enum class Status { kOk, kDiverged };
-  std::string id;
-  Status status = Status::kOk;
-  std::vector<RigidTransform> poses;
-};
-
-struct Forecast {
-  std::vector<double> times_s;          ///< times_s[0] = 0, strictly increasing, spacing = time step
-  std::vector<ObjectForecast> objects;  ///< Same order as the input
-  double compute_time_s = 0.0;
-};
-
 /// What a loaded model is and where it can be trusted.
 struct ModelInfo {
   std::string id;      ///< Preset and training name
@@ -52,17 +38,6 @@ struct ModelInfo {
   double max_speed_mps = 0.0;                           ///< Point speeds trained on
   int max_objects = 0;                                  ///< Hard limit per call
   int max_points = 0;                                   ///< Points per object actually used; more are subsampled
-};
-
-/// A rollout under way, for those who want to look in between: advancing by 8 and then by 16 steps gives what 24 at
-/// once give. Its predictor must outlive it.
-class Rollout {
- public:
-  virtual ~Rollout() = default;
-
-  /// Predicts `num_steps` more steps; returns everything from the observation on. The forecast's compute time is that
-  /// of all steps so far.
-  virtual const Forecast& advance(int num_steps) = 0;
 };
 
 /// Loads a RigidFormer checkpoint and rolls scenes out. Torch stays hidden behind the implementation.

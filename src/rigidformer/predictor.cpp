@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "predictor_rollout.hpp"
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/threads.hpp"
+#include "rigidformer/network_rollout.hpp"
 
 namespace rigidformer {
 namespace {
@@ -156,7 +156,9 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
 std::unique_ptr<Rollout> Predictor::start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
   impl_->check(objects, rollout);
   if (objects.empty()) return std::make_unique<EmptyRollout>(rollout.time_step_s);
-  return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, impl_->options, objects, rollout);
+  const PredictorOptions& options = impl_->options;
+  return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, options.max_points,
+                                          RestLimits{options.rest_speed, options.rest_spin}, objects, rollout);
 }
 
 }  // namespace rigidformer

@@ -47,7 +47,7 @@ RolloutOptions short_rollout(int num_steps = 4) {
   return rollout;
 }
 
-double pose_difference(const ObjectForecast& a, const ObjectForecast& b) {
+double pose_difference(const ObjectTrajectory& a, const ObjectTrajectory& b) {
   double difference = a.poses.size() == b.poses.size() ? 0.0 : std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < std::min(a.poses.size(), b.poses.size()); ++k) {
     difference = std::max({difference, (a.poses[k].translation - b.poses[k].translation).norm(),
@@ -77,7 +77,7 @@ TEST_F(PredictorTest, ForecastHasTheObservationAndEveryStep) {
   ASSERT_EQ(forecast.objects.size(), 2u);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     EXPECT_EQ(forecast.objects[i].id, objects[i].id);
-    EXPECT_EQ(forecast.objects[i].status, ObjectForecast::Status::kOk);
+    EXPECT_EQ(forecast.objects[i].status, ObjectTrajectory::Status::kOk);
     ASSERT_EQ(forecast.objects[i].poses.size(), 5u);
     EXPECT_EQ(forecast.objects[i].poses[0].translation, objects[i].T_world_current.translation);
   }
@@ -136,11 +136,11 @@ TEST_F(PredictorTest, APhysicsEngineTakesPartInTheForecast) {
   auto objects = touching_objects();
   objects.resize(1);
   const RolloutOptions rollout = short_rollout(60);
-  const ObjectForecast alone = engine.predict(objects, rollout).objects[0];
-  EXPECT_EQ(alone.status, ObjectForecast::Status::kOk);
+  const ObjectTrajectory alone = engine.predict(objects, rollout).objects[0];
+  EXPECT_EQ(alone.status, ObjectTrajectory::Status::kOk);
   EXPECT_GT(alone.poses.back().translation.z(), 0.05);  // it lies on the floor instead of falling through
   options_.engine_share = -1.0;
-  const ObjectForecast learned = Predictor(options_).predict(objects, rollout).objects[0];
+  const ObjectTrajectory learned = Predictor(options_).predict(objects, rollout).objects[0];
   EXPECT_GT(pose_difference(alone, learned), 1e-3);
   options_.engine_share = 1.5;
   EXPECT_NE(error_of([&] { Predictor{options_}; }).find("engine_share is 1.5"), std::string::npos);

@@ -40,7 +40,7 @@ class BallisticPredictor : public Predictor {
       forecast.times_s.push_back(k * rollout.time_step_s);
     }
     for (const ObjectState& object : objects) {
-      forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, fly(object, rollout)});
+      forecast.objects.push_back({object.id, ObjectTrajectory::Status::kOk, fly(object, rollout)});
     }
     return forecast;
   }

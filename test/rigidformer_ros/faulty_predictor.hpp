@@ -18,7 +18,7 @@ class FaultyPredictor : public BallisticPredictor {
  public:
   Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) override {
     Forecast forecast = BallisticPredictor::predict(objects, rollout);
-    for (ObjectForecast& object : forecast.objects) {
+    for (ObjectTrajectory& object : forecast.objects) {
       if (object.id == "throws") {
         throw std::runtime_error("tensor trouble");
       }

@@ -16,7 +16,7 @@ class RestartingRollout : public Rollout {
       : predictor_(predictor), objects_(std::move(objects)), options_(rollout) {
     forecast_.times_s.push_back(0.0);
     for (const ObjectState& object : objects_) {
-      forecast_.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
+      forecast_.objects.push_back({object.id, ObjectTrajectory::Status::kOk, {object.T_world_current}});
     }
   }
 

@@ -17,7 +17,7 @@ enum class MotionMode {
 };
 
 /// Material parameters of one object; empty = not known to the observer.
-struct PhysicalProperties {
+struct BodyProperties {
   std::optional<double> mass_kg;      ///< > 0
   std::optional<double> friction;     ///< Coulomb coefficient, >= 0
   std::optional<double> restitution;  ///< in [0, 1]
@@ -31,7 +31,7 @@ struct ObjectState {
   Points points_reference;          ///< [N, 3] m, at least 4 points, in the reference frame
   RigidTransform T_world_previous;  ///< Pose at t0 - time_step
   RigidTransform T_world_current;   ///< Pose at t0
-  PhysicalProperties properties;
+  BodyProperties properties;
 };
 
 }  // namespace rigidformer

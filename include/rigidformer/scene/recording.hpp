@@ -15,7 +15,7 @@ namespace rigidformer {
 struct RecordedObject {
   std::string shape;  ///< Name in the shape library (Kubric: asset_id)
   double size = 1.0;  ///< Uniform scale of the shape
-  PhysicalProperties properties;
+  BodyProperties properties;
   std::vector<RigidTransform> T_world_object;       ///< One pose per frame; origin = centre of mass
   std::vector<Eigen::Vector3d> velocities;          ///< Of the centre of mass [m/s], one per frame; may be empty
   std::vector<Eigen::Vector3d> angular_velocities;  ///< World frame [rad/s], one per frame; may be empty

@@ -31,11 +31,11 @@ void write_pairs(std::ostream& xml, const std::vector<ObservedBody>& bodies, dou
   const BulletSettings movi;  // its floor
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::string geom = "geom" + std::to_string(i);
-    const PhysicalProperties& a = bodies[i].properties;
+    const BodyProperties& a = bodies[i].properties;
     write_pair(xml, "floor", geom, *a.friction * movi.floor_friction, *a.restitution * movi.floor_restitution,
                solver_step_s);
     for (std::size_t j = 0; j < i; ++j) {
-      const PhysicalProperties& b = bodies[j].properties;
+      const BodyProperties& b = bodies[j].properties;
       write_pair(xml, "geom" + std::to_string(j), geom, *a.friction * *b.friction, *a.restitution * *b.restitution,
                  solver_step_s);
     }

@@ -137,7 +137,7 @@ Json to_json(const std::vector<Eigen::Vector3d>& vectors) {
 
 Json to_json(const RecordedObject& object) {
   Json instance = {{"asset_id", object.shape}, {"size", object.size}};
-  const PhysicalProperties& properties = object.properties;
+  const BodyProperties& properties = object.properties;
   if (properties.mass_kg) instance["mass"] = *properties.mass_kg;
   if (properties.friction) instance["friction"] = *properties.friction;
   if (properties.restitution) instance["restitution"] = *properties.restitution;

@@ -46,7 +46,7 @@ Points hidden_points(const SceneBatch& batch, int64_t b, int64_t k) {
 }
 
 /// Material with stand-ins for what is unknown.
-PhysicalProperties properties_of(const SceneBatch& batch, int64_t b, int64_t k, double volume_m3) {
+BodyProperties properties_of(const SceneBatch& batch, int64_t b, int64_t k, double volume_m3) {
   const Tensor known = batch.properties_known[b][k] > 0.0;
   const Tensor properties = batch.properties[b][k];
   const double stand_in[] = {kUnknownDensity * volume_m3, kMeanFriction, kMeanRestitution};

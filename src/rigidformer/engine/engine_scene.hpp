@@ -30,7 +30,7 @@ class EngineScene {
 
   struct Solid {
     ConvexPart hull;
-    PhysicalProperties properties;  ///< Complete
+    BodyProperties properties;  ///< Complete
   };
 
   static Solid observe_solid(const SceneBatch& batch, int64_t b, Body& body);

@@ -9,7 +9,7 @@ namespace rigidformer {
 std::vector<std::vector<RigidTransform>> ModelForecaster::forecast(const std::vector<ObjectState>& objects,
                                                                    const RolloutOptions& rollout) {
   std::vector<std::vector<RigidTransform>> poses;
-  for (ObjectForecast& object : predictor_.predict(objects, rollout).objects) {
+  for (ObjectTrajectory& object : predictor_.predict(objects, rollout).objects) {
     object.poses.resize(rollout.num_steps + 1, object.poses.back());
     poses.push_back(std::move(object.poses));
   }

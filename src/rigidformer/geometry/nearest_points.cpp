@@ -49,14 +49,14 @@ class SearchableCloud {
     tree_.buildIndex();
     lower_ = points_.colwise().minCoeff();
     upper_ = points_.colwise().maxCoeff();
-    center_ = 0.5F * (lower_ + upper_);
-    radius_ = std::sqrt((points_.rowwise() - center_.transpose()).rowwise().squaredNorm().maxCoeff());
+    centre_ = 0.5F * (lower_ + upper_);
+    radius_ = std::sqrt((points_.rowwise() - centre_.transpose()).rowwise().squaredNorm().maxCoeff());
   }
   SearchableCloud(const SearchableCloud&) = delete;
   SearchableCloud& operator=(const SearchableCloud&) = delete;
 
   const Points& points() const { return points_; }
-  const Eigen::Vector3f& center() const { return center_; }
+  const Eigen::Vector3f& centre() const { return centre_; }
   float radius() const { return radius_; }
 
   float squared_distance_to_box(const Eigen::Vector3f& query) const {
@@ -76,7 +76,7 @@ class SearchableCloud {
                                                    SearchableCloud, 3, int>;
   Points points_;
   Tree tree_;
-  Eigen::Vector3f lower_, upper_, center_;
+  Eigen::Vector3f lower_, upper_, centre_;
   float radius_ = 0.0F;
 };
 
@@ -144,10 +144,10 @@ class NearestPoints::Impl {
   /// Other objects by the least distance that their bounding sphere leaves possible.
   void sort_candidates(std::size_t i, const std::vector<RigidTransform>& poses) {
     candidates_.clear();
-    const Eigen::Vector3d center = poses[i] * clouds_[i]->center().cast<double>();
+    const Eigen::Vector3d centre = poses[i] * clouds_[i]->centre().cast<double>();
     for (std::size_t j = 0; j < clouds_.size(); ++j) {
       if (j != i) {
-        const double gap = (poses[j] * clouds_[j]->center().cast<double>() - center).norm();
+        const double gap = (poses[j] * clouds_[j]->centre().cast<double>() - centre).norm();
         candidates_.emplace_back(static_cast<float>(gap) - clouds_[i]->radius() - clouds_[j]->radius(), j);
       }
     }

@@ -129,8 +129,7 @@ BulletWorld::~BulletWorld() = default;
 BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
 BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
 
-int BulletWorld::add_body(const Shape& shape, double size, const PhysicalProperties& properties,
-                          const BodyState& state) {
+int BulletWorld::add_body(const Shape& shape, double size, const BodyProperties& properties, const BodyState& state) {
   require_positive("size", size);
   const auto mass = static_cast<btScalar>(require_known("mass_kg", properties.mass_kg));
   require_positive("mass_kg", mass);
@@ -159,8 +158,7 @@ int BulletWorld::add_body(const Shape& shape, double size, const PhysicalPropert
   return num_bodies() - 1;
 }
 
-int BulletWorld::add_driven_body(const Shape& shape, double size, PhysicalProperties properties,
-                                 const BodyState& state) {
+int BulletWorld::add_driven_body(const Shape& shape, double size, BodyProperties properties, const BodyState& state) {
   properties.mass_kg = kImmovableMass;
   const int body = add_body(shape, size, properties, state);
   impl_->bodies.back().body->setGravity(btVector3(0, 0, 0));

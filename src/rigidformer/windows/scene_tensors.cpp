@@ -60,7 +60,7 @@ void store_object(SceneTensors& tensors, int64_t s, int64_t k, const RecordedObj
   tensors.object_mask[s][k] = true;
   tensors.shape[s][k] = shape;
   tensors.size[s][k] = object.size;
-  const PhysicalProperties& p = object.properties;
+  const BodyProperties& p = object.properties;
   tensors.properties[s][k] = torch::tensor(
       {known_or(p.mass_kg, 1.0), known_or(p.friction, 0.5), known_or(p.restitution, 0.5)}, torch::kFloat32);
   const Tensor scene_poses = tensors.poses[s];

@@ -53,7 +53,7 @@ struct Flight {
 };
 
 inline ObjectState flying_object(const Points& points, const Flight& flight, const RolloutOptions& rollout,
-                                 const PhysicalProperties& properties = {}) {
+                                 const BodyProperties& properties = {}) {
   ObjectState object;
   object.id = "flying";
   object.points_reference = points;
@@ -64,7 +64,7 @@ inline ObjectState flying_object(const Points& points, const Flight& flight, con
 }
 
 inline ObjectState resting_object(const Points& points, const Eigen::Vector3d& position,
-                                  const PhysicalProperties& properties = {}) {
+                                  const BodyProperties& properties = {}) {
   ObjectState object;
   object.id = "resting";
   object.points_reference = points;

@@ -88,7 +88,7 @@ double rebound_ratio(Forecaster& engine, double drop, double object_restitution)
   const double radius = 0.4;
   const RolloutOptions rollout = rollout_of(1, 270);
   const Flight fall{{0.0, 0.0, radius + drop}, Eigen::Vector3d::Zero()};
-  const PhysicalProperties properties{{1.0}, {0.5}, {object_restitution}};
+  const BodyProperties properties{{1.0}, {0.5}, {object_restitution}};
   const auto poses = engine.forecast({flying_object(sphere_cloud(radius), fall, rollout, properties)}, rollout);
   double highest = 0.0;
   for (std::size_t k = 130; k < poses[0].size(); ++k) {
@@ -112,8 +112,8 @@ TEST_P(PhysicsEngine, ReboundsToTheSquareOfTheRestitution) {
 
 TEST_P(PhysicsEngine, AMidAirCollisionConservesMomentum) {
   const RolloutOptions rollout = rollout_of(1, 120);
-  const PhysicalProperties light{{1.0}, {0.4}, {0.6}};
-  const PhysicalProperties heavy{{3.0}, {0.4}, {0.6}};
+  const BodyProperties light{{1.0}, {0.4}, {0.6}};
+  const BodyProperties heavy{{3.0}, {0.4}, {0.6}};
   const Points cube = box_cloud({0.7, 0.7, 0.7});
   const Flight left{{-1.0, 0.1, 5.0}, {4.0, 0.0, 2.0}, {0.3, 1.0, 0.2}};
   const Flight right{{1.0, -0.1, 5.1}, {-2.0, 0.0, 2.0}, {0.0, -1.0, 0.5}};

@@ -23,7 +23,7 @@ BodyState at(double x, double y, double z) {
   return state;
 }
 
-const PhysicalProperties kRubber{1.0, 0.8, 0.7};
+const BodyProperties kRubber{1.0, 0.8, 0.7};
 
 TEST(BulletWorld, FreeFlightIsAParabolaWithConstantHorizontalVelocity) {
   const BulletSettings settings;

@@ -15,8 +15,8 @@
 #include <map>
 #include <string>
 
-#include "rigidformer_ros/cloud_conversion.hpp"
-#include "rigidformer_ros/conversions.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
+#include "rigidformer_ros/messages/conversions.hpp"
 #include "rigidformer_ros/test_scene.hpp"
 
 namespace rigidformer_ros::testing {

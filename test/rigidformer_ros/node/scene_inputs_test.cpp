@@ -9,7 +9,7 @@
 
 #include "rigidformer_ros/labelled_cloud_maker.hpp"
 #include "rigidformer_ros/node/node_client.hpp"
-#include "rigidformer_ros/object_publishers.hpp"
+#include "rigidformer_ros/outputs/object_publishers.hpp"
 
 namespace rigidformer_ros::testing {
 namespace {

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rigidformer/scene/object.hpp"
+#include "rigidformer/tracking/pose_history.hpp"
+#include "rigidformer/tracking/stamp.hpp"
+
+namespace rigidformer {
+
+/// One object's cloud at one instant, in the fixed frame. Rows that are not finite count as "not seen".
+struct ObjectObservation {
+  std::string id;
+  Stamp stamp;
+  Points points_world;  ///< [N, 3] m
+  MotionMode mode = MotionMode::kDynamic;
+  BodyProperties properties;
+  std::optional<RigidTransform> T_world_object;  ///< From a tracker; empty = found from the points
+};
+
+/// How well a cloud agrees with the moved reference cloud.
+struct RegistrationQuality {
+  double rmse_m = 0.0;        ///< Of the inliers
+  double inlier_ratio = 1.0;  ///< Share of the cloud's points that lie on the reference
+};
+
+/// An object as its track knows it at the instant of a scene.
+struct ObservedObject {
+  ObjectState state;            ///< Reference points about their centroid
+  bool assumed_static = false;  ///< Seen too little to know its velocity
+  bool low_quality = false;     ///< The newest cloud does not fit a pose well
+  RegistrationQuality quality;
+  std::uint64_t track = 0;  ///< Number of its track; every new track has another
+};
+
+/// An object that is known, but cannot take part in a scene.
+struct SkippedObject {
+  std::string id;
+  std::string reason;
+};
+
+/// The scene at `stamp`, each object with its pose then and exactly one time step earlier. Objects are ordered by id.
+struct ObservedScene {
+  Stamp stamp;
+  double time_step_s = 0.0;
+  std::vector<ObservedObject> objects;
+  std::vector<SkippedObject> skipped;
+};
+
+/// Where the object of one track was seen.
+struct TrackRecord {
+  std::uint64_t track = 0;
+  PoseHistory poses;
+  bool low_quality = false;  ///< Of the newest pose
+};
+
+/// By object id.
+using TrackRecords = std::map<std::string, TrackRecord>;
+
+}  // namespace rigidformer

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <ros/wall_timer.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "rigidformer_ros/parameters/parameters.hpp"
+
+namespace rigidformer_ros {
+
+/// Subscriptions to one PointCloud2 topic per object: the listed ones from the start, those that match the pattern as
+/// soon as somebody publishes them.
+class ObjectTopics {
+ public:
+  /// `source` says which object the cloud shows; its topic is the resolved name.
+  using Handler = std::function<void(const ListedObject& source, const sensor_msgs::PointCloud2& cloud)>;
+
+  /// Callbacks run on the callback queue of `node`.
+  ObjectTopics(ros::NodeHandle& node, const InputParameters& input, Handler handler);
+
+  /// What is being listened to, for a message to the user.
+  std::string describe() const;
+
+ private:
+  void subscribe(const ListedObject& source);
+  void discover();
+
+  ros::NodeHandle node_;
+  InputParameters input_;
+  std::string pattern_;  ///< Resolved; empty = no discovery
+  Handler handler_;
+  std::map<std::string, ros::Subscriber> subscribers_;  ///< By resolved topic
+  std::set<std::string> ids_;                           ///< That have a topic; a listed object keeps its own
+  ros::WallTimer discovery_timer_;
+};
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer_ros/messages/labelled_cloud.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "rigidformer/geometry/point_rows.hpp"
+
+namespace rigidformer_ros {
+
+namespace {
+
+using sensor_msgs::PointCloud2;
+using sensor_msgs::PointField;
+
+constexpr std::size_t kMostLabels = 256;  // more are numbers of something else than objects
+
+std::uint64_t size_of(std::uint8_t datatype) {
+  switch (datatype) {
+    case PointField::INT8:
+    case PointField::UINT8:
+      return 1;
+    case PointField::INT16:
+    case PointField::UINT16:
+      return 2;
+    case PointField::INT32:
+    case PointField::UINT32:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+const PointField& find_label_field(const PointCloud2& cloud) {
+  for (const char* name : {"label", "instance"}) {
+    const auto found = std::find_if(cloud.fields.begin(), cloud.fields.end(),
+                                    [name](const PointField& field) { return field.name == name; });
+    if (found != cloud.fields.end()) {
+      return *found;
+    }
+  }
+  throw std::invalid_argument("fields: no field 'label' or 'instance'");
+}
+
+void check(const PointField& field, std::uint32_t point_step) {
+  const std::string name = "fields['" + field.name + "']";
+  if (size_of(field.datatype) == 0) {
+    throw std::invalid_argument(name + ".datatype: is " + std::to_string(field.datatype) +
+                                ", must be an integer of 8, 16 or 32 bits (1 to 6)");
+  }
+  if (field.count > 1) {
+    throw std::invalid_argument(name + ".count: is " + std::to_string(field.count) + ", must be 1");
+  }
+  if (field.offset + size_of(field.datatype) > point_step) {
+    throw std::invalid_argument(name + ".offset: " + std::to_string(field.offset) + " reaches past point_step " +
+                                std::to_string(point_step));
+  }
+}
+
+template <typename Integer>
+std::uint32_t read_integer(const std::uint8_t* bytes) {
+  Integer value;
+  std::memcpy(&value, bytes, sizeof(value));
+  return value > 0 ? static_cast<std::uint32_t>(value) : 0;
+}
+
+std::uint32_t read_label(const std::uint8_t* bytes, std::uint8_t datatype) {
+  switch (datatype) {
+    case PointField::INT8:
+      return read_integer<std::int8_t>(bytes);
+    case PointField::UINT8:
+      return read_integer<std::uint8_t>(bytes);
+    case PointField::INT16:
+      return read_integer<std::int16_t>(bytes);
+    case PointField::UINT16:
+      return read_integer<std::uint16_t>(bytes);
+    case PointField::INT32:
+      return read_integer<std::int32_t>(bytes);
+    default:
+      return read_integer<std::uint32_t>(bytes);
+  }
+}
+
+// Point numbers by label. The layout of the cloud must have been checked.
+std::map<std::uint32_t, std::vector<int>> rows_by_label(const PointCloud2& cloud, const PointField& field) {
+  const std::uint64_t point_step = cloud.point_step;
+  const std::uint64_t row_step = cloud.row_step > 0 ? cloud.row_step : cloud.width * point_step;
+  std::map<std::uint32_t, std::vector<int>> rows;
+  int index = 0;
+  for (std::uint64_t row = 0; row < cloud.height; ++row) {
+    for (std::uint64_t column = 0; column < cloud.width; ++column, ++index) {
+      const std::uint8_t* point = cloud.data.data() + row * row_step + column * point_step;
+      const std::uint32_t label = read_label(point + field.offset, field.datatype);
+      if (label == 0) {
+        continue;
+      }
+      rows[label].push_back(index);
+      if (rows.size() > kMostLabels) {
+        throw std::invalid_argument("fields['" + field.name + "']: more than " + std::to_string(kMostLabels) +
+                                    " different labels");
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<LabelPoints> split_by_label(const PointCloud2& cloud, std::uint64_t max_points) {
+  const Points points = read_points(cloud, max_points);
+  if (points.rows() == 0) {
+    return {};
+  }
+  const PointField& field = find_label_field(cloud);
+  check(field, cloud.point_step);
+  std::vector<LabelPoints> parts;
+  for (const auto& [label, rows] : rows_by_label(cloud, field)) {
+    parts.push_back({label, rigidformer::select_rows(points, rows)});
+  }
+  return parts;
+}
+
+}  // namespace rigidformer_ros

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/init.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "rigidformer_ros/node/prediction_node.hpp"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "prediction_node");
+  const int exit_code = rigidformer_ros::run_prediction_node();
+  // All is tidied up. Without this, LibTorch would take its static objects apart for half a second.
+  std::fflush(nullptr);
+  std::_Exit(exit_code);
+}
