@@ -14,6 +14,9 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
+# Shared, so that LibTorch and Bullet stay inside the libraries that use them. Catkin asks for the same.
+option(BUILD_SHARED_LIBS "Build shared libraries" ON)
+
 # One position-independent flavour everywhere, so that libraries, tools and tests share a precompiled header.
 add_compile_options(-fPIC)
 

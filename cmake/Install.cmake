@@ -11,19 +11,42 @@ if(RIGIDFORMER_ROS)
   set(share_dir ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endif()
 
+# Installed programs find the libraries beside them, wherever the folder is moved to. Catkin has an environment for that.
+if(NOT RIGIDFORMER_ROS)
+  file(RELATIVE_PATH lib_from_bin /${bin_dir} /${lib_dir})
+  set_property(TARGET ${RIGIDFORMER_APPS} PROPERTY INSTALL_RPATH "$ORIGIN/${lib_from_bin}")
+  set_property(TARGET ${RIGIDFORMER_APPS} ${RIGIDFORMER_LIBRARIES} APPEND PROPERTY INSTALL_RPATH "$ORIGIN")
+  set_property(TARGET ${RIGIDFORMER_APPS} ${RIGIDFORMER_LIBRARIES} PROPERTY INSTALL_RPATH_USE_LINK_PATH ON)
+endif()
+
 set(programs ${RIGIDFORMER_APPS})
-set(libraries rigidformer_core)
 foreach(target prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud
         tracking_accuracy)
   if(TARGET ${target})
     list(APPEND programs ${target})
   endif()
 endforeach()
-foreach(target rigidformer rigidformer_simulation rigidformer_baselines rigidformer_ros_node rigidformer_ros_nodelet)
+set(libraries rigidformer_baselines)
+foreach(target rigidformer_ros_node rigidformer_ros_nodelet)
   if(TARGET ${target})
     list(APPEND libraries ${target})
   endif()
 endforeach()
+
+# The public API as a CMake package: find_package(rigidformer) gives rigidformer::core, rigidformer::simulation and
+# rigidformer::rigidformer, each where it was built.
+include(CMakePackageConfigHelpers)
+set(package_dir ${lib_dir}/cmake/rigidformer)
+install(TARGETS ${RIGIDFORMER_LIBRARIES} EXPORT rigidformer
+  RUNTIME DESTINATION ${bin_dir}
+  LIBRARY DESTINATION ${lib_dir}
+  ARCHIVE DESTINATION ${lib_dir})
+install(EXPORT rigidformer NAMESPACE rigidformer:: FILE rigidformerTargets.cmake DESTINATION ${package_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/rigidformerConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/rigidformerConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/rigidformerConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/rigidformerConfig.cmake ${PROJECT_BINARY_DIR}/rigidformerConfigVersion.cmake
+  DESTINATION ${package_dir})
 
 install(TARGETS ${programs} ${libraries}
   RUNTIME DESTINATION ${bin_dir}

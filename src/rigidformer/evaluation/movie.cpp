@@ -51,7 +51,7 @@ std::pair<Eigen::Vector2d, double> shown_square(const SceneRecording& scene, int
       box.extend(object.T_world_object.at(static_cast<std::size_t>(frame)).translation.head<2>());
     }
   }
-  return {box.centre(), 0.5 * box.sizes().maxCoeff() + kMargin_m};
+  return {box.center(), 0.5 * box.sizes().maxCoeff() + kMargin_m};
 }
 
 std::string header(const std::filesystem::path& gif, const MovieOptions& options, const Eigen::Vector2d& middle,
