@@ -34,8 +34,8 @@ std::vector<Eigen::Index> nearest_rows(const Eigen::VectorXd& squared_distance) 
   return rows;
 }
 
-/// Direction of the field that equal charges on the surface have at the point. Inside of a closed surface they cancel,
-/// so that it points outwards, also in the hole of a ring and on flat faces, where neighbours alone do not tell.
+/// Direction of the field that equal charges on the surface have at the point. It points out of convex bodies, also on
+/// flat faces, where neighbours alone do not tell, and mostly into the hole of a ring, because near charges count most.
 Eigen::Vector3d field_direction(const Offsets& offsets, const Eigen::VectorXd& squared_distance, double softening) {
   const Eigen::VectorXd weight = (squared_distance.array() + softening).pow(-1.5);
   return -(offsets.transpose() * weight).stableNormalized();

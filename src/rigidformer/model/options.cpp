@@ -113,8 +113,6 @@ ModelOptions paper_preset() {
   o.avp_dim = 256;
   o.predictor_layers_per_scale = 2;
   o.head_hidden = 768;
-  o.max_points = 1200;
-  o.rest_speed_mps = 0.0;
   return o;
 }
 
