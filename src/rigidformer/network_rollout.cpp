@@ -40,6 +40,7 @@ SceneBatch to_device(SceneBatch batch, const torch::Device& device) {
         &batch.properties_known, &batch.dynamic_mask, &batch.step_size, &batch.ground_height, &batch.gravity}) {
     *tensor = tensor->to(device);
   }
+  if (batch.normals_reference.defined()) batch.normals_reference = batch.normals_reference.to(device);
   return batch;
 }
 

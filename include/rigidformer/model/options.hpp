@@ -54,11 +54,17 @@ struct ModelOptions {
   bool hidden_side_head = false;         ///< Estimate the side that no camera sees, for the physics engine
   bool position_feature = false;         ///< x - centre of mass
   bool contact_features = false;         ///< Squashed distances, ground apart, relative motion and partner's material
+  bool local_planes = false;             ///< Signed gaps between the tangent planes of a vertex and its nearest one
   bool property_mask = false;            ///< Extra inputs that say which material parameters are known
   bool own_token_in_query = false;       ///< The object's own token joins its anchor queries
   bool velocity_output = false;          ///< Head predicts a velocity change (m/s) instead of an acceleration
   bool end_velocity_output = false;      ///< Head also predicts the velocity at the end of the step
   bool engine_motion = false;  ///< A physics engine's step is an input, and part of the output by a learned gate
+
+  // How a predictor uses the network, unless it is told otherwise
+  int max_points = 256;          ///< Points per object the network looks at; larger clouds are thinned evenly
+  double rest_speed_mps = 0.1;   ///< What is and would stay slower than this and ...
+  double rest_spin_radps = 0.3;  ///< ... this is held still; rest_speed_mps 0 = never
 };
 
 /// `paper`, `base`, `small` or `tiny`. Throws std::invalid_argument naming the preset.

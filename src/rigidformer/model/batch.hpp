@@ -45,6 +45,9 @@ struct SceneBatch {
   Tensor gravity;           ///< [B] vertical acceleration [m/s^2]
   Tensor control;           ///< [B, control_dim] or undefined
 
+  /// [B, K, N, 3] outward unit normals, estimated from the points; undefined where no model needs them.
+  Tensor normals_reference;
+
   int64_t num_scenes() const { return points_reference.size(0); }
   int64_t max_objects() const { return points_reference.size(1); }
   int64_t max_points() const { return points_reference.size(2); }

@@ -68,6 +68,10 @@ void visit_fields(Options& o, Visitor&& visit) {
   visit("end_velocity_output", o.end_velocity_output);
   visit("engine_motion", o.engine_motion);
   visit("hidden_side_head", o.hidden_side_head);
+  visit("local_planes", o.local_planes);
+  visit("max_points", o.max_points);
+  visit("rest_speed_mps", o.rest_speed_mps);
+  visit("rest_spin_radps", o.rest_spin_radps);
 }
 
 void check(bool condition, const std::string& field, double value, const std::string& bound) {
@@ -170,9 +174,12 @@ bool has_fraction(const Json& value) {
   return std::any_of(value.begin(), value.end(), [](const Json& element) { return element.is_number_float(); });
 }
 
-/// Options that older files do not hold; they are off there.
+/// Options that older files do not hold; they have their defaults there.
 bool is_newer(const std::string& name) {
-  return name == "end_velocity_output" || name == "engine_motion" || name == "hidden_side_head";
+  static const std::set<std::string> newer = {"end_velocity_output", "engine_motion", "hidden_side_head",
+                                              "local_planes",        "max_points",    "rest_speed_mps",
+                                              "rest_spin_radps"};
+  return newer.count(name) > 0;
 }
 
 /// Strict: neither 64.5 nor true passes for an integer.
@@ -244,6 +251,9 @@ void validate(const ModelOptions& o) {
   check(!o.engine_motion || (o.inertial_base_motion && o.velocity_output && o.end_velocity_output), "engine_motion",
         o.engine_motion, "off without inertial_base_motion, velocity_output and end_velocity_output");
   check(!o.hidden_side_head || o.engine_motion, "hidden_side_head", o.hidden_side_head, "off without engine_motion");
+  check(o.max_points >= 16, "max_points", o.max_points, "at least 16");
+  check(o.rest_speed_mps >= 0.0, "rest_speed_mps", o.rest_speed_mps, ">= 0");
+  check(o.rest_spin_radps >= 0.0, "rest_spin_radps", o.rest_spin_radps, ">= 0");
   check(approximate_weights(o) <= kMaxWeights, "number of weights", approximate_weights(o), "at most 1e9");
 }
 

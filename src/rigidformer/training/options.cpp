@@ -83,6 +83,10 @@ void read_model(Section section, ModelOptions& model) {
   section.read("end_velocity_output", model.end_velocity_output);
   section.read("engine_motion", model.engine_motion);
   section.read("hidden_side_head", model.hidden_side_head);
+  section.read("local_planes", model.local_planes);
+  section.read("max_points", model.max_points);
+  section.read("rest_speed_mps", model.rest_speed_mps);
+  section.read("rest_spin_radps", model.rest_spin_radps);
   section.reject_unknown();
   validate(model);
 }

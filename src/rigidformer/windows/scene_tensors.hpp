@@ -30,7 +30,8 @@ struct SceneTensors {
   Tensor properties;         ///< [S, K, 3] mass, friction, restitution
   Tensor gravity;            ///< [S] vertical component [m/s^2]
   Tensor shape_points;       ///< [Q, P, M, 3] at size 1
-  Tensor shape_normals;      ///< [Q, P, M, 3]
+  Tensor shape_normals;      ///< [Q, P, M, 3] of the mesh, for what a camera sees
+  Tensor estimated_normals;  ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
   Tensor shape_point_count;  ///< [Q, P] int64
 
   int64_t num_scenes() const { return poses.size(0); }

@@ -143,8 +143,8 @@ void read_model(ParameterReader& reader, rigidformer::PredictorOptions& model) {
   reader.read("precision", model.precision, {"float32", "bfloat16"});
   reader.read("num_threads", model.num_threads, {1, 256});
   reader.read("warmup_runs", model.warmup_runs, {0, 100});
-  reader.read("rest_speed", model.rest_speed, {0.0, 10.0});
-  reader.read("rest_spin", model.rest_spin, {0.0, 100.0});
+  reader.read("rest_speed", model.rest_speed, {-1.0, 10.0});
+  reader.read("rest_spin", model.rest_spin, {-1.0, 100.0});
 }
 
 void read_predict(ParameterReader& reader, PredictParameters& predict) {
