@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "rigidformer/model/threads.hpp"
 #include "rigidformer/training/command_line.hpp"
 
 int main(int argc, char** argv) {
+  rigidformer::use_vector_units();
   CLI::App app{"Trains a RigidFormer model on simulated or recorded scenes."};
   rigidformer::TrainCommand command;
   app.add_option("--config", command.config, "Training file, see config/train/")->required()->check(CLI::ExistingFile);
