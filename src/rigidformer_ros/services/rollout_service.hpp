@@ -19,6 +19,7 @@
 #include "rigidformer_ros/inputs/live_scene.hpp"
 #include "rigidformer_ros/parameters/parameters.hpp"
 #include "rigidformer_ros/services/rollout_groups.hpp"
+#include "rigidformer_ros/services/rollout_request.hpp"
 
 namespace rigidformer_ros {
 
@@ -45,7 +46,7 @@ class RolloutService {
 
  private:
   PredictRollout::Response answer_ready(const PredictRollout::Request& request, SharedRollout::Clock::time_point asked);
-  std::shared_ptr<BegunRollout> begin(const PredictRollout::Request& request, const RolloutSettings& settings,
+  std::shared_ptr<BegunRollout> begin(const PredictRollout::Request& request, const RolloutTask& task,
                                       const std::set<int>& ends);
 
   NodeParameters parameters_;
