@@ -11,8 +11,8 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground rests or rolls
-constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point at most
+constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground lies or rolls
+constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point, above which a body is not about to tip
 
 double value(const Tensor& tensor) { return tensor.item<double>(); }
 

@@ -9,7 +9,7 @@
 
 namespace rigidformer_ros {
 
-/// When an object counts as at rest.
+/// When an object counts as settled; docs/conventions.md has what else is said of what moves little.
 struct SettleCriterion {
   double linear_speed_mps = 0.0;
   double angular_speed_rps = 0.0;
