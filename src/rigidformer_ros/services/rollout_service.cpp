@@ -67,7 +67,7 @@ class Presence {
   Presence(const Presence&) = delete;
   Presence& operator=(const Presence&) = delete;
 
-  /// Clients present when this one came, itself included.
+  /// The number of clients that were present when this one came, with itself.
   int number() const { return number_; }
 
  private:
@@ -150,7 +150,7 @@ Response RolloutService::answer_ready(const Request& request, SharedRollout::Clo
   SceneRollout rollout{begun->scene, roll_out(begun->steps, task.settings, asked), begun->model,
                        /*trusted_horizon_s=*/0.0};
   if (is_empty(request.scene)) {
-    rollout.trusted_horizon_s = quality_.get().trusted_horizon_s;  // measured on the live scene
+    rollout.trusted_horizon_s = quality_.get().trusted_horizon_s;  // It was measured on the live scene only.
   }
 
   Response response;
