@@ -66,7 +66,8 @@ int settled_step(const std::vector<RigidTransform>& poses, double time_step_s, c
 }
 
 Clock::time_point time_limit(const RolloutSettings& settings, Clock::time_point asked) {
-  constexpr double kLongest_s = 1e9;  // the clock counts in nanoseconds
+  // [s], about 32 years, stands for "no limit": the clock counts nanoseconds in 64 bits, which hold 292 years.
+  constexpr double kLongest_s = 1e9;
   const std::chrono::duration<double> allowed(
       settings.max_wall_time_s > 0.0 ? std::min(settings.max_wall_time_s, kLongest_s) : kLongest_s);
   return asked + std::chrono::duration_cast<Clock::duration>(allowed);

@@ -65,7 +65,7 @@ class Presence {
   Presence(const Presence&) = delete;
   Presence& operator=(const Presence&) = delete;
 
-  /// Clients present when this one came, itself included.
+  /// The number of clients that were present when this one came, with itself.
   int number() const { return number_; }
 
  private:

@@ -32,7 +32,7 @@ void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "'" << text << "' lacks '" << part << "'";
 }
 
-// Every scalar of the file, as name=value.
+// Collects every scalar of the file by its full name, for example /predict/rate. A list counts as its length.
 void flatten(const YAML::Node& node, const std::string& name, std::map<std::string, std::string>& values) {
   if (node.IsMap()) {
     for (const auto& member : node) {

@@ -15,6 +15,7 @@ namespace {
 using testing::ShapeCamera;
 using testing::Tumble;
 
+// [s] between two clouds, as from a camera of 30 Hz.
 constexpr double kFrame = 1.0 / 30.0;
 
 RigidTransform stay(const std::string&, const ros::Time&) { return RigidTransform(); }
