@@ -94,6 +94,11 @@ inline std::string joined(const std::vector<std::string>& words, const std::stri
   return text;
 }
 
+/// "float32 | bfloat16", "in [0, 1)", ...
+inline std::string values_text(const Accepts& accepts) {
+  return accepts.words.empty() ? range_text(accepts) : joined(accepts.words);
+}
+
 /// The words for the values of an enumeration; it has a function `names_of(Enum)` that returns them.
 template <typename Enum>
 using EnumNames = std::vector<std::pair<std::string, Enum>>;
