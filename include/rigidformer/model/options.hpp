@@ -73,7 +73,7 @@ struct ModelOptions {
 /// The sizes of encoder, decoder and anchors.
 template <typename Visit>
 void for_each_size(ModelOptions& o, const Visit& visit) {
-  visit("preset", o.preset, anything().fixed(), "paper, base, small or tiny: all sizes and the defaults of switches");
+  visit("preset", o.preset, anything(), "paper, base, small or tiny: all sizes and the defaults of switches");
   visit("encoder_widths", o.encoder_widths, positive().fixed(), "shared point MLP; the last is the backbone's width");
   visit("encoder_level_hidden", o.encoder_level_hidden, at_least(0).fixed(),
         "hidden width of one MLP per pooling level after pooling; 0 = none");

@@ -53,7 +53,7 @@ std::string markdown_table(const std::vector<MemberRow>& rows) {
 std::string help_lines(const std::vector<MemberRow>& rows) {
   std::ostringstream text;
   for (const MemberRow& row : rows) {
-    text << "  " << std::left << std::setw(26) << row.key << " " << row.description << " (" << row.accepted << ") ["
+    text << "  " << std::left << std::setw(24) << row.key << ' ' << row.description << " (" << row.accepted << ") ["
          << row.value << "]\n";
   }
   return text.str();

@@ -39,26 +39,33 @@ std::string value_text(const T& value, const Accepts& accepts) {
     return enum_word(value);
   } else if constexpr (std::is_same_v<T, std::optional<double>>) {
     return value ? number_text(*value) : accepts.words.front();
-  } else if constexpr (is_list<T>) {
-    return "none";
+  } else if constexpr (has_members<T>) {
+    std::vector<std::string> members;
+    T copy = value;
+    for_each_member(copy, [&members](const char* key, auto& member, const Accepts& its, const char*) {
+      members.push_back(std::string(key) + ": " + value_text(member, its));
+    });
+    return "{" + joined(members, ", ") + "}";
   } else {
     std::vector<std::string> elements;
     for (const auto& element : value) {
       elements.push_back(value_text(element, accepts));
     }
-    return joined(elements, ", ");
+    return elements.empty() ? "none" : joined(elements, ", ");
   }
 }
 
-/// The rows of all members but the nested structs, which have tables of their own. `value` is what `options` holds.
+/// The rows of all members but the nested structs, which have tables of their own, and of what comes with a preset.
+/// `value` is what `options` holds.
 template <typename Options>
 std::vector<MemberRow> member_rows(Options options) {
   std::vector<MemberRow> rows;
   for_each_member(options, [&](const char* key, auto& value, const Accepts& accepts, const char* description) {
     using T = std::decay_t<decltype(value)>;
-    if constexpr (has_members<T>) {
+    if (has_members<T> || accepts.is_fixed) {
       return;
-    } else if constexpr (std::is_enum_v<T>) {
+    }
+    if constexpr (std::is_enum_v<T>) {
       rows.push_back({key, value_text(value, accepts), joined(enum_words<T>(), ", "), description});
     } else {
       const char* kind = std::is_same_v<T, bool>          ? "true, false"

@@ -39,7 +39,6 @@ class Section {
   /// The preset decides about the defaults of all others.
   void read(ModelOptions& model) {
     std::string preset = model.preset;
-    known_.emplace_back("preset");
     read_member("preset", preset, anything());
     model = model_preset(preset);
     read<ModelOptions>(model);
