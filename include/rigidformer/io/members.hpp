@@ -63,6 +63,8 @@ inline Accepts anything() { return {}; }
 inline Accepts between(double min, double max) { return {min, max}; }
 inline Accepts at_least(double min) { return {min}; }
 inline Accepts positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
+/// (0, max]
+inline Accepts positive_up_to(double max) { return {0.0, max, true}; }
 /// [0, 1]
 inline Accepts share() { return {0.0, 1.0}; }
 /// [0, 1)
