@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   app.add_option("--iterations", command.iterations, "Instead of the number in the training file");
   app.add_option("--max-minutes", command.machine.max_minutes, "Stop, resumably, after this time");
   app.add_flag("--resume", command.machine.resume, "Go on exactly from the state in --out");
+  app.footer(rigidformer::training_keys());
   CLI11_PARSE(app, argc, argv);
   return rigidformer::run_train(command, std::cerr);
 }

@@ -82,7 +82,11 @@ class ScenePlay {
 
  private:
   static NodeParameters with_method(NodeParameters parameters, const std::string& method) {
-    parameters.correspondence.method = to_correspondence(method);
+    const auto value = rigidformer::enum_value<rigidformer::Correspondence>(method);
+    if (!value) {
+      throw std::invalid_argument("correspondence method '" + method + "', must be ordered, registration or pose");
+    }
+    parameters.correspondence.method = *value;
     return parameters;
   }
 

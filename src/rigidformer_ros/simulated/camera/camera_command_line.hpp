@@ -11,7 +11,7 @@ namespace rigidformer_ros::camera {
 
 /// Adds a command-line option of the same name for every camera option.
 inline void add_camera_options(CLI::App& app, CameraOptions& options) {
-  for_each_option(options, [&app](const std::string& name, auto& value, const char* description) {
+  for_each_member(options, [&app](const std::string& name, auto& value, const Accepts&, const char* description) {
     app.add_option("--" + name, value, description)->capture_default_str();
   });
 }

@@ -20,8 +20,9 @@ void read_parameter(const ros::NodeHandle& node, const std::string& name, T& val
 
 CameraOptions read_camera_options(const ros::NodeHandle& private_node) {
   CameraOptions options;
-  for_each_option(
-      options, [&](const std::string& name, auto& value, const char*) { read_parameter(private_node, name, value); });
+  for_each_member(options, [&](const std::string& name, auto& value, const Accepts&, const char*) {
+    read_parameter(private_node, name, value);
+  });
   options.validate();
   return options;
 }
