@@ -32,6 +32,7 @@ constexpr int kFramesPerCloud = 8;
 constexpr int kSteps = 6;
 // Frames of the recording per step: the default time step of the node is 1/24 s, or ten frames of 1/240 s.
 constexpr int kFramesPerStep = 10;
+// The weights in the repository. Without them the tests are skipped.
 const std::string kModel = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/small.safetensors";
 
 const std::vector<Shape>& shapes() {
