@@ -11,29 +11,30 @@
 
 namespace rigidformer {
 
-/// Of the MOVi scenes; what stands in for unknown material.
+/// Material that stands in for unknown values: about the mean mass of the MOVi scenes, and
+/// the means of their two materials.
 constexpr double kMeanMass = 1.2;  ///< [kg]
 constexpr double kMeanFriction = 0.6;
 constexpr double kMeanRestitution = 0.5;
 
-/// A scene in the form the network reads, B = 1. World coordinates are shifted so that the ground lies at z = 0 and the
-/// objects surround the origin: physics does not depend on where a scene stands, trained positions do.
+/// A scene in the form that the network reads, B = 1. World coordinates are shifted so that the ground lies at z = 0
+/// and the objects surround the origin: physics does not depend on where a scene stands, but trained positions do.
 struct SceneInput {
   SceneBatch batch;
   SceneState state;
-  Eigen::Vector3d origin_world;  ///< Where the network's origin lies in world [m]
+  Eigen::Vector3d origin_world;  ///< Position of the network's origin in world [m]
   std::vector<Points> clouds;    ///< Points the network uses, farthest-point order, reference frame
 };
 
 /// Checks every object and option; throws std::invalid_argument naming the object and the field at fault.
 void validate_scene(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
-/// Points are reduced to the first `max_points` in farthest-point order and padded to a multiple of 64.
-/// Unknown material parameters are marked unknown when the model can read that, otherwise MOVi's mean values stand in.
+/// Points are reduced to the first `max_points` in farthest-point order and padded to a multiple of 64. Unknown
+/// material parameters are marked unknown when the model can read that; otherwise MOVi's mean values stand in.
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                             const ModelOptions& model, int max_points);
 
-/// Poses of all objects back in world coordinates.
+/// Gives the poses of all objects in world coordinates.
 std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose);
 
 }  // namespace rigidformer
