@@ -11,13 +11,14 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kMinVelocityJump = 0.5;  // [m/s]
-constexpr double kFloorDistance = 0.08;   // [m] higher than this is not the floor
-constexpr double kRestingSpeed = 0.03;    // [m/s]
-constexpr double kRestingSpin = 0.1;      // [rad/s]
-constexpr double kRollingSpeed = 0.15;    // [m/s]
+// Thresholds between the kinds of contact, all chosen by eye.
+constexpr double kMinVelocityJump = 0.5;  // [m/s] smaller jumps are no impact
+constexpr double kFloorDistance = 0.08;   // [m] height of the lowest point above which it is not on the floor
+constexpr double kRestingSpeed = 0.03;    // [m/s] slower objects may rest
+constexpr double kRestingSpin = 0.1;      // [rad/s] objects that turn slower may rest
+constexpr double kRollingSpeed = 0.15;    // [m/s] faster objects on the floor roll or slide
 constexpr int64_t kLastingStride = 8;     // frames between two entries of a lasting contact
-constexpr int64_t kHeightPoints = 64;     // vertices looked at for the lowest point
+constexpr int64_t kHeightPoints = 64;     // vertices, in farthest-point order, that are looked at for the lowest point
 
 using PoseRows = at::TensorAccessor<float, 3>;  // [F, K, 7]
 
@@ -53,7 +54,7 @@ double velocity_jump(const PoseRows& poses, int64_t frame, int64_t k, float grav
   return jump.norm();
 }
 
-/// The list that the moment belongs to, or none. `on_floor` is asked only where it matters: it is costly.
+/// The list that the moment belongs to, or none. `on_floor` is asked only where it matters, because it is costly.
 template <typename OnFloor>
 std::vector<ContactEvent>* list_for(const PoseRows& poses, int64_t frame, int64_t k, float gravity,
                                     const OnFloor& on_floor, ContactEvents& events) {

@@ -13,7 +13,7 @@ namespace rigidformer {
 
 using torch::Tensor;
 
-/// How shapes become point sets.
+/// How point sets are made of shapes. The numbers were chosen by eye.
 struct PointSetOptions {
   int sets_per_shape = 24;   ///< Independent surface samplings per shape; set 0 holds the mesh vertices
   int points_per_set = 512;  ///< Upper bound per set, in farthest-point order
@@ -26,11 +26,11 @@ struct SceneTensors {
   Tensor poses;              ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass
   Tensor object_mask;        ///< [S, K] bool
   Tensor shape;              ///< [S, K] int64 into Q
-  Tensor size;               ///< [S, K]
+  Tensor size;               ///< [S, K] scale of the shape
   Tensor properties;         ///< [S, K, 3] mass, friction, restitution
   Tensor gravity;            ///< [S] vertical component [m/s^2]
   Tensor shape_points;       ///< [Q, P, M, 3] at size 1
-  Tensor shape_normals;      ///< [Q, P, M, 3]
+  Tensor shape_normals;      ///< [Q, P, M, 3] outward unit normals
   Tensor shape_point_count;  ///< [Q, P] int64
 
   int64_t num_scenes() const { return poses.size(0); }

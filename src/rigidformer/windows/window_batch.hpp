@@ -14,27 +14,28 @@ namespace rigidformer {
 
 /// How a scene is observed and varied. Field names are the YAML keys under `augmentation:`.
 struct AugmentationOptions {
-  int min_points = 64;                   ///< Points per object, drawn per object between these bounds ...
-  int max_points = 128;                  ///< ... this is also the padded size
-  double vertex_probability = 0.0;       ///< Windows that use mesh vertices instead of surface samples
-  double view_probability = 0.0;         ///< Windows that keep only points facing one random camera
+  int min_points = 64;                   ///< Fewest points per object; the number is drawn per object
+  int max_points = 128;                  ///< Most points per object, and the padded size
+  double vertex_probability = 0.0;       ///< Share of windows that use mesh vertices instead of surface samples
+  double view_probability = 0.0;         ///< Share of windows that keep only points facing one random camera
   double noise_m = 0.0;                  ///< Largest standard deviation of point noise, drawn per window
-  double unknown_probability = 0.0;      ///< Windows whose material parameters are hidden
-  double yaw_probability = 0.5;          ///< Windows turned about the vertical axis ...
-  double yaw_step_deg = 5.0;             ///< ... by a multiple of this angle; 0 = any angle
-  bool yaw_per_batch = true;             ///< One angle for the whole batch (paper, App. E) or one per window
+  double unknown_probability = 0.0;      ///< Share of windows whose material parameters are hidden
+  double yaw_probability = 0.5;          ///< Share of windows turned about the vertical axis (paper, App. E)
+  double yaw_step_deg = 5.0;             ///< Windows are turned by multiples of this angle; 0 = by any angle
+  bool yaw_per_batch = true;             ///< One angle for the whole batch (paper, App. E), or one per window
   double shift_m = 0.0;                  ///< Windows are moved horizontally by up to this distance
-  double permutation_probability = 0.5;  ///< Objects in random order (paper, App. E)
+  double permutation_probability = 0.5;  ///< Share of windows with objects in random order (paper, App. E)
 };
 
-/// A batch of windows with ground truth. The reference frame of every cloud is the body frame, so the true centre of
-/// mass is the origin of the reference frame.
+/// A batch of windows with ground truth. The reference frame of every cloud is the body frame, so that the true centre
+/// of mass is the origin of the reference frame.
 struct WindowBatch {
   SceneBatch scene;
-  std::vector<Pose> poses;       ///< 2 + num_steps poses; the first two are given
-  std::vector<Pose> departures;  ///< Per step: from where free motion arrives at its end with the true velocity there
-  Tensor whole_surface;          ///< [B, K, M, 3] m, without noise and with the sides that nobody sees
-  Tensor whole_mask;             ///< [B, K, M] bool
+  std::vector<Pose> poses;  ///< 2 + num_steps poses; the first two are given
+  /// [step] poses from which free motion arrives at the step's end with the true velocity there.
+  std::vector<Pose> departures;
+  Tensor whole_surface;  ///< [B, K, M, 3] m, without noise and with the sides that nobody sees
+  Tensor whole_mask;     ///< [B, K, M] bool
 };
 
 /// Assembles windows on the device of `tensors`; a generator of `random` must live there too.

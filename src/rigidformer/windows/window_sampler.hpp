@@ -10,14 +10,15 @@
 
 namespace rigidformer {
 
-/// Which moments of which scenes are learned from. Field names are the YAML keys under `windows:`.
+/// The moments and scenes that are learned from. Field names are the YAML keys under `windows:`.
 struct WindowOptions {
-  std::vector<int> step_sizes = {1, 5, 10};  ///< s drawn from here ...
-  double any_step_probability = 0.0;         ///< ... or, with this probability, uniformly from 1 ... max(step_sizes)
-  double mid_air_probability = 0.0;          ///< Windows around object-object contacts
-  double floor_probability = 0.0;            ///< Windows around floor impacts
-  double rolling_probability = 0.0;          ///< Windows in which an object rolls or slides on the floor
-  double resting_probability = 0.0;          ///< Windows in which an object rests; what is left is uniform in time
+  std::vector<int> step_sizes = {1, 5, 10};  ///< Step sizes s that are drawn from
+  double any_step_probability = 0.0;  ///< Share of windows with s drawn uniformly from 1 ... max(step_sizes) instead
+  double mid_air_probability = 0.0;   ///< Share of windows around contacts of two objects
+  double floor_probability = 0.0;     ///< Share of windows around floor impacts
+  double rolling_probability = 0.0;   ///< Share of windows in which an object rolls or slides on the floor
+  /// Share of windows in which an object rests; the remaining windows lie at any time.
+  double resting_probability = 0.0;
 };
 
 /// One window: frames `frame`, `frame` + s, ..., of one scene.
@@ -27,7 +28,7 @@ struct Window {
   int step_size = 1;
 };
 
-/// Draws windows of 2 + num_steps frames; around a contact, the event lies in the predicted part.
+/// Draws windows of 2 + num_steps frames. Around a contact, the event lies in the predicted part.
 class WindowSampler {
  public:
   /// Throws std::invalid_argument naming the option at fault, or when scenes are too short.
@@ -36,9 +37,9 @@ class WindowSampler {
 
   Window draw(int num_steps, std::mt19937_64& random) const;
 
-  /// The windows of one training iteration. Iterations come in groups whose windows are sorted by their number of
-  /// objects before they are dealt out, so that a batch carries little padding. The same seed and iteration give the
-  /// same windows.
+  /// Draws the windows of one training iteration. Iterations come in groups whose windows are sorted by their
+  /// number of objects before they are dealt out, so that a batch carries little padding. The same seed and
+  /// iteration give the same windows.
   std::vector<Window> draw_batch(int batch_size, int num_steps, std::uint64_t seed, std::int64_t iteration) const;
 
  private:
@@ -47,7 +48,7 @@ class WindowSampler {
 
   WindowOptions options_;
   ContactEvents events_;
-  std::vector<int64_t> object_counts_;  ///< Per scene
+  std::vector<int64_t> object_counts_;  ///< Number of objects of every scene
   int num_scenes_, num_frames_;
 };
 
