@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A cloud of points and two poses in, the future out: a cube of 1 m is dropped from 3 m while it drifts at 1 m/s.
+// A cloud of points and two poses go in, the future comes out: a cube of 1 m is dropped
+// from 3 m while it drifts at 1 m/s.
 #include <cmath>
 #include <cstdio>
 
@@ -14,7 +15,8 @@ int main() try {
 
   rigidformer::ObjectState cube;
   cube.id = "cube";
-  cube.points_reference = 0.5F * rigidformer::Points::Random(240, 3);  // [m], then pushed out to the six faces
+  // Random [m], then pushed out to the six faces of a cube.
+  cube.points_reference = 0.5F * rigidformer::Points::Random(240, 3);
   for (int i = 0; i < 240; ++i) cube.points_reference(i, i % 3) = i % 2 == 0 ? 0.5F : -0.5F;
   cube.T_world_previous.translation = {0.0, 0.0, 3.0};
   cube.T_world_current.translation = {1.0 / 24.0, 0.0, 3.0};  // one time step of 1/24 s later

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How hard to throw? Rolls out several throws of the same box past a ball that lies about, and picks the one after
-// which the box comes to rest nearest to a goal.
+// How hard should one throw? This program rolls out several throws of the same box past a ball that lies about, and
+// picks the one after which the box comes to rest nearest to a goal.
 #include <algorithm>
 #include <cstdio>
 #include <vector>
@@ -13,10 +13,10 @@ namespace {
 
 using namespace rigidformer;
 
-constexpr double kTimeStep = 10.0 / 240.0;  // [s]
-constexpr int kNumSteps = 72;               // 3 s
-constexpr double kRestSpeed = 0.1;          // [m/s] slower than this until the end counts as resting
-const Eigen::Vector3d kGoal(2.0, 0.0, 0.0);
+constexpr double kTimeStep = 10.0 / 240.0;   // [s] ten frames of the training data
+constexpr int kNumSteps = 72;                // 3 s, after which most throws rest
+constexpr double kRestSpeed = 0.1;           // [m/s] slower than this until the end counts as resting; chosen by eye
+const Eigen::Vector3d kGoal(2.0, 0.0, 0.0);  // [m] where the box shall come to rest
 
 /// Points on the six faces of a box with the given edges [m].
 Points box_points(const Eigen::RowVector3f& edges) {
@@ -27,7 +27,8 @@ Points box_points(const Eigen::RowVector3f& edges) {
 
 Points ball_points(float radius_m) { return radius_m * Points::Random(240, 3).rowwise().normalized(); }
 
-/// Where a body with velocity v [m/s] at `now` was one time step earlier, in free flight: x - v dt + g dt^2 / 2.
+/// Position of a body one time step earlier, in free flight, when it has velocity v [m/s]
+/// at `now`: x - v dt + g dt^2 / 2.
 RigidTransform one_step_before(const RigidTransform& now, const Eigen::Vector3d& v) {
   const Eigen::Vector3d g(0.0, 0.0, -10.0);
   return {now.rotation, now.translation - v * kTimeStep + 0.5 * g * kTimeStep * kTimeStep};
@@ -41,13 +42,13 @@ std::vector<ObjectState> thrown_scene(const Eigen::Vector3d& velocity) {
   box.T_world_current.translation = {-3.0, 0.0, 1.2};
   box.T_world_previous = one_step_before(box.T_world_current, velocity);
   ball.id = "ball";
-  ball.points_reference = ball_points(0.4F);  // what it is made of is not known: properties stay empty
+  ball.points_reference = ball_points(0.4F);  // its material is not known: properties stay empty
   ball.T_world_current.translation = {0.0, 2.0, 0.4};
   ball.T_world_previous = ball.T_world_current;
   return {box, ball};
 }
 
-/// First step from which on the object stays slower than kRestSpeed; the last one when it never does.
+/// First step from which on the object stays slower than kRestSpeed; the last step when it never does.
 size_t rest_step(const std::vector<RigidTransform>& poses) {
   size_t k = poses.size() - 1;
   const auto speed = [&](size_t i) { return (poses[i].translation - poses[i - 1].translation).norm() / kTimeStep; };

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The whole learning half in seconds on a CPU: simulate scenes, train the tiny network, score it. The command-line
-// tools do the same:
+// The whole learning half in seconds on a CPU: simulate scenes, train the tiny network, score it. The
+// command-line tools do the same:
 //   generate_scenes --set movi_a --scenes 12 --seed 7 --out DIR/scenes
 //   train --config config/train/tiny.yaml --data DIR/scenes --out DIR/run
 //   evaluate --model DIR/run/model.safetensors --data DIR/scenes --starts 120 --steps 10 --horizons 50,100
-// The network has seen a few hundred windows only: expect it to be poor.
+// The network has seen only a few hundred windows: expect it to be poor.
 #include <filesystem>
 #include <iostream>
 

@@ -19,11 +19,12 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr std::size_t kMinPlanePoints = 3;
-constexpr std::size_t kMaxPlanePoints = 20000;
-constexpr double kVoxelShare = 0.25;  // of the cluster tolerance
+constexpr std::size_t kMinPlanePoints = 3;      // derived: three points fix a plane
+constexpr std::size_t kMaxPlanePoints = 20000;  // enough to find a plane and few enough to be fast; chosen by eye
+constexpr double kVoxelShare = 0.25;            // size of a voxel over the cluster tolerance; by eye
 
-// PCL's search trees must not meet a point that is not finite. The noise of far points leaves the plane of the ground.
+// PCL's search trees must not meet a point that is not finite. Far points are left out because their noise
+// leaves the plane of the ground.
 std::vector<int> usable_rows(const rigidformer::Points& points, double max_range) {
   std::vector<int> rows;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -38,7 +39,7 @@ pcl::PointXYZ to_pcl(const rigidformer::Points& points, int row) {
   return {points(row, 0), points(row, 1), points(row, 2)};
 }
 
-// Every n-th of the rows: enough to find a plane.
+// Takes every n-th of the rows, which is enough to find a plane.
 Cloud::Ptr make_plane_cloud(const rigidformer::Points& points, const std::vector<int>& rows) {
   const Cloud::Ptr cloud(new Cloud);
   const std::size_t stride = rows.size() / kMaxPlanePoints + 1;
@@ -76,8 +77,8 @@ std::vector<int> without_ground(const rigidformer::Points& points, const std::ve
   return rest;
 }
 
-// The rows that fall into each of the occupied voxels: the search for neighbours grows with the square of their
-// density, so that it must not see every pixel.
+// Groups the rows by the voxels that they fall into. The search for neighbours grows with the square of their density,
+// so that it must not see every pixel.
 std::vector<std::vector<int>> group_by_voxel(const rigidformer::Points& points, const std::vector<int>& rows,
                                              double voxel_size) {
   const Cloud::Ptr cloud(new Cloud);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A worked example: one unlabelled cloud of a depth camera in (`points`), the same cloud with a label per object out
-// (`cloud`, 0 = ground and unknown), ready for the prediction node. Private parameters are the members of
-// SegmentationOptions, max_match_distance and max_missed_frames. Objects that touch become one.
+// A worked example: an unlabelled cloud of a depth camera comes in (`points`), and the same cloud with a label per
+// object goes out (`cloud`, 0 = ground and unknown), ready for the prediction node. Private parameters are the members
+// of SegmentationOptions, max_match_distance and max_missed_frames. Objects that touch become one.
 #include <ros/ros.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
@@ -20,7 +20,7 @@ namespace {
 using rigidformer_ros::Points;
 using sensor_msgs::PointField;
 
-constexpr std::uint64_t kMaxPoints = 4000000;
+constexpr std::uint64_t kMaxPoints = 4000000;  // points of a message; bound on memory, chosen by eye
 
 std::vector<Eigen::Vector3d> centroids_of(const Points& points, const std::vector<std::vector<int>>& objects) {
   std::vector<Eigen::Vector3d> centroids;

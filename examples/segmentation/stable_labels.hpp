@@ -7,20 +7,22 @@
 #include <map>
 #include <vector>
 
-/// Gives the objects of every frame the labels that they had before: an object is the nearest one of the frames before.
+/// Gives the objects of every frame the labels that they had before: an object is the
+/// nearest one of the frames before it.
 class StableLabels {
  public:
-  /// An object farther than `max_distance_m` from all that were seen is new; one unseen for more than `max_missed`
-  /// frames is forgotten.
+  /// An object farther than `max_distance_m` from all that were seen is new. One that was not seen for more than
+  /// `max_missed` frames is forgotten.
   StableLabels(double max_distance_m, int max_missed) : max_distance_m_(max_distance_m), max_missed_(max_missed) {}
 
-  /// Labels from 1 on, one per centroid [m] of this frame, all different. Never used twice for different objects.
+  /// Gives labels from 1 on, one per centroid [m] of this frame, all different. A label is never
+  /// used twice for different objects.
   std::vector<std::uint32_t> assign(const std::vector<Eigen::Vector3d>& centroids);
 
  private:
   struct Known {
     Eigen::Vector3d centroid;
-    int missed = 0;  ///< Frames since it was seen
+    int missed = 0;  ///< Number of frames since the object was seen
   };
 
   double max_distance_m_;
