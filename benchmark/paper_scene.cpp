@@ -12,8 +12,8 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kNumPoints[] = {64, 51, 1142, 64, 64, 682, 682, 647, 51, 569};
-constexpr int kNumAnchors = 4;
+constexpr int kNumPoints[] = {64, 51, 1142, 64, 64, 682, 682, 647, 51, 569};  // points per object; paper, App. F.1
+constexpr int kNumAnchors = 4;                                                // per object, as in the paper
 
 Points sphere_cloud(int count, double radius_m, std::mt19937& random) {
   std::normal_distribution<float> coordinate;

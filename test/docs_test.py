@@ -140,7 +140,8 @@ class Names(unittest.TestCase):
                         self.assertTrue((document.parent / target).exists())
 
     def test_programs(self):
-        lists = [path for folder in ('src', 'examples', 'benchmark', 'test') for path in (ROOT / folder).rglob('CMakeLists.txt')]
+        lists = [path for folder in ('src', 'examples', 'benchmark', 'test')
+                 for path in (ROOT / folder).rglob('CMakeLists.txt')]
         built = ' '.join(text_of(path) for path in lists)
         for document in DOCUMENTS:
             for program in re.findall(r'rosrun rigidformer_ros (\w+)', text_of(document)):
@@ -154,8 +155,9 @@ class Names(unittest.TestCase):
                     self.assertTrue((ROOT / 'launch' / name).exists())
 
     def test_options(self):
-        code = ''.join(text_of(path) for path in sources('src', 'benchmark', 'test') + sorted(ROOT.glob('scripts/*.sh')) +
-                       sorted(ROOT.glob('scripts/*.py')))
+        files = sources('src', 'benchmark', 'test')
+        files += sorted(ROOT.glob('scripts/*.sh')) + sorted(ROOT.glob('scripts/*.py'))
+        code = ''.join(text_of(path) for path in files)
         for document in DOCUMENTS:
             text = text_of(document)
             for option in set(re.findall(r'(?<![\w-])--[a-z][\w-]+', ' '.join(code_blocks(text) + code_spans(text)))):
@@ -165,8 +167,8 @@ class Names(unittest.TestCase):
                         self.assertTrue(option in code or f'"{option[2:]}"' in code)
 
     def test_topics_and_services(self):
-        names = ''.join(text_of(path) for path in sources('src/rigidformer_ros/messages', 'src/rigidformer_ros/parameters',
-                                                          'src/rigidformer_ros/health'))
+        rooms = [f'src/rigidformer_ros/{room}' for room in ('messages', 'parameters', 'health')]
+        names = ''.join(text_of(path) for path in sources(*rooms))
         section = text_of(ROOT / 'docs' / 'interface.md').split('## Parameters')[0]
         found = re.findall(r'^\| `(/?[a-z_]+)[`/]', section, flags=re.MULTILINE)
         for name in set(found) - {'input', 'ordered', 'registration', 'pose'}:

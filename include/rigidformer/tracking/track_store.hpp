@@ -17,17 +17,17 @@ struct CloudRegistration;
 
 /// What became of an observation.
 enum class AddResult {
-  kExtended,       ///< Continued its track
-  kLowQuality,     ///< Likewise, but the cloud fits no pose well
-  kNewTrack,       ///< Began a track
-  kTimeRestarted,  ///< Stamp far in the past: everything was cleared, then a track begun
-  kLate,           ///< Slightly older than the newest: dropped
-  kTooFewPoints,   ///< Dropped
-  kNoPose,         ///< Dropped: correspondence is by pose and there is none
+  kExtended,       ///< It continued its track.
+  kLowQuality,     ///< It continued its track, but the cloud fits no pose well.
+  kNewTrack,       ///< It began a track.
+  kTimeRestarted,  ///< Its stamp lies far in the past: everything was cleared, and it began a track.
+  kLate,           ///< It is slightly older than the newest one and was dropped.
+  kTooFewPoints,   ///< It has too few points and was dropped.
+  kNoPose,         ///< It has no pose although correspondence is by pose, and was dropped.
 };
 
-/// Keeps one track per object id: a reference cloud and the poses since it began. Knows time by stamps only.
-/// Not thread safe.
+/// Keeps one track per object id: a reference cloud and the poses since the track began. Stamps are
+/// the only clock. Not thread safe.
 class TrackStore {
  public:
   explicit TrackStore(const TrackingOptions& options);
@@ -37,7 +37,7 @@ class TrackStore {
 
   AddResult add(const ObjectObservation& observation);
 
-  /// The newest scene that all current objects share; empty store = empty scene with stamp 0.
+  /// The newest scene that all current objects share. An empty store gives an empty scene with stamp 0.
   ObservedScene snapshot(double time_step_s) const;
 
   TrackRecords records() const;
@@ -63,7 +63,7 @@ class TrackStore {
   ObservedObject observe(const std::string& id, const Track& track, Stamp stamp, double time_step_s) const;
 
   TrackingOptions options_;
-  std::map<std::string, std::unique_ptr<Track>> tracks_;  ///< By object id
+  std::map<std::string, std::unique_ptr<Track>> tracks_;  ///< The tracks by object id
   std::uint64_t num_tracks_begun_ = 0;
 };
 

@@ -41,8 +41,8 @@ AnchorPredictorImpl::AnchorPredictorImpl(const ModelOptions& model_options) : op
   head_norm = register_module("head_norm", RmsNorm(D));
   head = register_module("head", Mlp(D, options.head_hidden, num_anchor_outputs(options)));
   torch::NoGradGuard no_grad;
-  head->second->weight.mul_(0.1);            // start near the base motion
-  head->second->weight.slice(0, 3).zero_();  // ... with the mean velocity of the step at its end
+  head->second->weight.mul_(0.1);            // training starts near the base motion ...
+  head->second->weight.slice(0, 3).zero_();  // ... and at the mean velocity of the step at its end
   head->second->bias.slice(0, 3).zero_();
 }
 

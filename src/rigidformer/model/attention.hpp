@@ -14,8 +14,8 @@ struct TokenSet {
   Tensor angles;  ///< [B, T, rotary_dim] or undefined
 };
 
-/// Multi-head attention with QK-normalisation, rotary positions and a query-conditioned sigmoid gate (§3.1):
-/// y = sigmoid(G(Q)) * Attn(Q, K, V). Self-attention when both arguments are the same set.
+/// Multi-head attention with QK-normalisation, rotary positions and a query-conditioned sigmoid gate (§3.1): y =
+/// sigmoid(G(Q)) * Attn(Q, K, V). It is self-attention when both arguments are the same set.
 struct GatedAttentionImpl : torch::nn::Module {
   explicit GatedAttentionImpl(const ModelOptions& options);
 

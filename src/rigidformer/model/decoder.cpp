@@ -5,10 +5,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr int64_t kSublayersPerBlock = 2;  // attention and feed-forward
-constexpr double kNewestSummaryBias = 4.0;
+constexpr int64_t kSublayersPerBlock = 2;   // attention and feed-forward (§3.1)
+constexpr double kNewestSummaryBias = 4.0;  // starts near the ordinary residual stream, see docs/paper_map.md; by eye
 
-/// Appends the registers: always valid, angle zero.
+/// Appends the registers, which are always valid and have angle zero.
 TokenSet with_registers(const TokenSet& objects, const Tensor& registers) {
   const int64_t B = objects.tokens.size(0), R = registers.size(0);
   TokenSet all;

@@ -12,10 +12,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kLevelFractions[] = {1.0, 0.5, 0.25, 0.125};
+constexpr double kLevelFractions[] = {1.0, 0.5, 0.25, 0.125};  // share of the points in each level (§3.1)
 constexpr size_t kNumLevels = std::size(kLevelFractions);
 
-/// Max over the first ceil(fraction * n) of each object's n valid points: f [B, K, N, E] -> [B, K, E].
+/// Maximum over the first ceil(fraction * n) of each object's n valid points: f [B, K, N, E] -> [B, K, E].
 Tensor pool_level(const Tensor& f, const Tensor& point_mask, double fraction) {
   const int64_t N = f.size(2);
   const Tensor count = point_mask.sum(-1, true).to(torch::kFloat32);  // [B, K, 1]
@@ -38,7 +38,7 @@ void pool_object(const float* f, int64_t count, int64_t E, const std::array<floa
   for (int64_t row = 0; row < count; ++row) {
     const float* value = f + row * E;
     for (int64_t e = 0; e < E; ++e) {
-      const bool replaces = value[e] > best[e] || std::isnan(value[e]);  // NaN stays, as in amax
+      const bool replaces = value[e] > best[e] || std::isnan(value[e]);  // NaN stays, as it does in amax()
       best[e] = replaces ? value[e] : best[e];
     }
     for (size_t level = 0; level < kNumLevels; ++level) {
@@ -47,7 +47,8 @@ void pool_object(const float* f, int64_t count, int64_t E, const std::array<floa
   }
 }
 
-/// pool_level() for all levels, in one pass over f instead of a copy of it per level. On the CPU, without gradients.
+/// Does what pool_level() does for all levels, in one pass over f instead of a copy of it per level.
+/// For the CPU, without gradients.
 std::vector<Tensor> pool_all_levels(const Tensor& f, const Tensor& point_mask) {
   const int64_t K = f.size(1), N = f.size(2), E = f.size(3);
   const Tensor count = point_mask.sum(-1).contiguous();  // [B, K]

@@ -8,9 +8,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kSpeedUnit = 5.0;                // [m/s] velocities are divided by this
-constexpr double kSquashLengths[] = {0.05, 0.5};  // [m] resolution near contact, reach at a distance
-constexpr double kFarDisplacement = 100.0;        // [m] stands for "nothing there"
+constexpr double kSpeedUnit = 5.0;                // [m/s] unit of velocities; chosen by eye
+constexpr double kSquashLengths[] = {0.05, 0.5};  // [m] for resolution near contact and reach far away; by eye
+constexpr double kFarDisplacement = 100.0;        // [m] stands for "nothing there"; chosen by eye
 
 /// d / (|d| + l): linear near contact (and continuous through it), bounded far away. [..., 3] -> [..., 3 per length].
 Tensor squash(const Tensor& displacement) {

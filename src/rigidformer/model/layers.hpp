@@ -8,7 +8,7 @@ namespace rigidformer {
 
 using torch::Tensor;
 
-/// y = x W^T + b, computed in the type of x: activations decide the precision, weights follow.
+/// Linear layer y = x W^T + b, computed in the type of x: activations decide the precision, weights follow.
 struct LinearImpl : torch::nn::Module {
   LinearImpl(int64_t in, int64_t out, bool with_bias = true);
   Tensor forward(const Tensor& x);
@@ -29,7 +29,7 @@ struct RmsNormImpl : torch::nn::Module {
 };
 TORCH_MODULE(RmsNorm);
 
-/// Linear, SiLU, Linear.
+/// Two-layer MLP: Linear, SiLU, Linear.
 struct MlpImpl : torch::nn::Module {
   MlpImpl(int64_t in, int64_t hidden, int64_t out, bool zero_last = false);
   Tensor forward(const Tensor& x);
@@ -48,11 +48,11 @@ struct SwiGluImpl : torch::nn::Module {
 };
 TORCH_MODULE(SwiGlu);
 
-/// Feature-wise scale and shift from a code (§3.1): gamma(c) * z + beta(c). Zero-initialised to the identity.
+/// Feature-wise scale and shift from a code c (§3.1): gamma(c) * z + beta(c). It is initialised to the identity.
 struct FilmImpl : torch::nn::Module {
   FilmImpl(int64_t code_dim, int64_t hidden, int64_t dim);
 
-  /// z [B, T, D], code [B, code_dim].
+  /// Applies the code [B, code_dim] to z [B, T, D].
   Tensor forward(const Tensor& z, const Tensor& code);
 
   Mlp mlp{nullptr};

@@ -7,8 +7,8 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kFar = 1e6;                     // [m^2] rank of points that must not be chosen
-constexpr int64_t kMaxMatrixElements = 1 << 28;  // per chunk
+constexpr double kFar = 1e6;  // [m^2] rank of points that must not be chosen: above any squared distance
+constexpr int64_t kMaxMatrixElements = 1 << 28;  // per chunk; 1 GiB of float32; chosen by eye
 
 }  // namespace
 

@@ -9,18 +9,20 @@
 namespace rigidformer {
 namespace {
 
-// Wavelengths from twice the MOVi arena down to a quarter of an object.
+// Wavelengths from about three widths of the MOVi arena, where a position is unambiguous, down to a fraction of an
+// object (docs/paper_map.md, "§3.3, ω").
 constexpr double kLongestWavelength = 32.0;  // [m]
 constexpr double kShortestWavelength = 0.5;  // [m]
-constexpr int64_t kMaxIndexedObjects = 256;  // rows of the learned index embedding
+constexpr int64_t kMaxIndexedObjects = 256;  // rows of the learned index embedding; chosen by eye
 
 Tensor masked_mean(const Tensor& points, const Tensor& mask) {
   const Tensor weight = mask.unsqueeze(-1).to(points.scalar_type());
   return (points * weight).sum(2) / weight.sum(2).clamp_min(1.0);
 }
 
-/// Principal axes as columns scaled by the standard deviation along them, [B, K, 9]; signs fixed so that the largest
-/// component is positive. Constants for the gradient, which does not exist where two variances are equal.
+/// Principal axes as columns, scaled by the standard deviation along them, [B, K, 9]. Signs are fixed so
+/// that the largest component is positive. The gradient takes them for constants: it does not exist
+/// where two variances are equal.
 Tensor principal_axes(const Tensor& offsets, const Tensor& mask) {
   const Tensor weighted = offsets * mask.unsqueeze(-1).to(offsets.scalar_type());
   const Tensor count = mask.sum(-1).clamp_min(1).to(offsets.scalar_type()).unsqueeze(-1).unsqueeze(-1);
@@ -31,7 +33,7 @@ Tensor principal_axes(const Tensor& offsets, const Tensor& mask) {
   return (vectors * sign * values.clamp_min(0.0).sqrt().unsqueeze(-2)).flatten(-2);
 }
 
-/// Box along the principal axes: half extents times axes, [B, K, 9].
+/// Box along the principal axes: its half extents times the axes, [B, K, 9].
 Tensor oriented_box(const Tensor& offsets, const Tensor& mask) {
   const Tensor axes = torch::nn::functional::normalize(principal_axes(offsets, mask).unflatten(-1, {3, 3}),
                                                        torch::nn::functional::NormalizeFuncOptions().dim(-2));

@@ -7,13 +7,13 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kSmallestDenominator = 1e-6;  // relative to the largest singular value
+constexpr double kSmallestDenominator = 1e-6;  // share of the largest singular value; chosen by eye
 
 struct Svd {
   Tensor U, S, V;
 };
 
-/// Many 3x3 matrices one by one: a library call per matrix costs more than the decomposition itself.
+/// Decomposes many 3x3 matrices one by one: a library call per matrix costs more than the decomposition itself.
 template <typename Scalar>
 Svd svd_on_cpu(const Tensor& H) {
   using RowMatrix = Eigen::Matrix<Scalar, 3, 3, Eigen::RowMajor>;
@@ -47,7 +47,8 @@ struct SpecialProcrustes : torch::autograd::Function<SpecialProcrustes> {
     return R;
   }
 
-  /// With H^T = R P, P = U diag(s) U^T: R^T dR is the antisymmetric solution W of P W + W P = R^T dH^T - dH R.
+  /// Backward pass. With H^T = R P, P = U diag(s) U^T, R^T dR is the antisymmetric solution W
+  /// of P W + W P = R^T dH^T - dH R.
   static torch::autograd::tensor_list backward(torch::autograd::AutogradContext* context,
                                                torch::autograd::tensor_list gradients) {
     const auto saved = context->get_saved_variables();

@@ -17,10 +17,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr int64_t kPointBucket = 64;
-constexpr int kMinPoints = 4;
-constexpr double kMinSpread = 1e-4;  // [m] standard deviation across the second axis below which a cloud is a line
-constexpr int64_t kMaxSurfacePoints = 4096;
+constexpr int64_t kPointBucket = 64;         // points; padded sizes are multiples of it; by eye
+constexpr int kMinPoints = 4;                // points of an object, as ObjectState asks for
+constexpr double kMinSpread = 1e-4;          // [m] standard deviation along the second axis of a line, at most; by eye
+constexpr int64_t kMaxSurfacePoints = 4096;  // points of an object that the engine gets; chosen by eye
 
 [[noreturn]] void fail(const ObjectState& object, const std::string& defect) {
   throw std::invalid_argument("object '" + object.id + "': " + defect);
@@ -34,7 +34,7 @@ void check_property(const ObjectState& object, const std::optional<double>& valu
   }
 }
 
-/// Three anchors that are not on a line are needed to fix a rotation.
+/// Whether the points lie on a line: three anchors that do not are needed to fix a rotation.
 bool is_line(const Points& points) {
   const Eigen::MatrixX3d centred = points.cast<double>().rowwise() - points.cast<double>().colwise().mean();
   const Eigen::Matrix3d covariance = centred.transpose() * centred / static_cast<double>(points.rows());
@@ -62,7 +62,7 @@ void check_range(const char* field, double value, bool good, const char* bound) 
   }
 }
 
-/// The points the network looks at, farthest-point order.
+/// The points that the network looks at, in farthest-point order.
 Points select_points(const Points& cloud, int max_points) {
   const std::vector<int> order = farthest_point_order(cloud, max_points);
   Points selected(static_cast<Eigen::Index>(order.size()), 3);
@@ -88,7 +88,7 @@ void store_properties(const ObjectState& object, bool reads_mask, SceneBatch& ba
   }
 }
 
-/// Every n-th point, so that at most `max_points` are left.
+/// Takes every n-th point, so that at most `max_points` are left.
 Points thinned(const Points& cloud, Eigen::Index max_points) {
   const Eigen::Index stride = (cloud.rows() + max_points - 1) / max_points;
   if (stride <= 1) return cloud;

@@ -32,10 +32,10 @@ std::vector<int> common_rows(const std::vector<int>& a, const std::vector<int>& 
 
 struct TrackStore::Track {
   std::uint64_t number = 0;
-  Points points_reference;              ///< Ordered: all rows, about the centroid of the finite ones
-  std::vector<int> rows;                ///< Ordered: finite rows of the reference
-  std::optional<CloudTracker> tracker;  ///< Otherwise
-  bool frame_is_given = false;          ///< The object frame is that of given poses
+  Points points_reference;  ///< With `ordered`: all rows of the first cloud, about the centroid of the finite ones
+  std::vector<int> rows;    ///< With `ordered`: the finite rows of the reference
+  std::optional<CloudTracker> tracker;  ///< With the other ways of correspondence: follows the clouds
+  bool frame_is_given = false;          ///< The object frame is that of the given poses
   PoseHistory poses;
   RegistrationQuality quality;
   bool low_quality = false;
@@ -114,7 +114,7 @@ AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observ
   return track.low_quality ? AddResult::kLowQuality : AddResult::kExtended;
 }
 
-// Empty when the cloud has other points than the reference.
+// Compares a cloud with the reference row by row; empty when the cloud has other rows than the reference.
 std::optional<CloudRegistration> TrackStore::match_rows(const Track& track, const ObjectObservation& observation,
                                                         const std::vector<int>& seen_rows) const {
   if (observation.points_world.rows() != track.points_reference.rows()) {
@@ -133,7 +133,7 @@ std::optional<CloudRegistration> TrackStore::match_rows(const Track& track, cons
   return found;
 }
 
-// Empty when the cloud cannot be the tracked object any more, or comes with another object frame.
+// Follows a cloud without order; empty when it cannot be the tracked object any more or has another object frame.
 std::optional<CloudRegistration> TrackStore::follow(Track& track, const ObjectObservation& observation,
                                                     const std::vector<int>& seen_rows) const {
   const Points points = select_rows(observation.points_world, seen_rows);
@@ -146,7 +146,8 @@ std::optional<CloudRegistration> TrackStore::follow(Track& track, const ObjectOb
     return track.tracker->stay(points, T_world_previous);
   }
   const RigidTransform T_world_predicted = track.poses.predict(observation.stamp);
-  // An impact can stop or turn a known velocity; of the second cloud any speed may be expected.
+  // An impact can stop or turn a known velocity, hence the factor 2 (chosen by eye). The
+  // second cloud may have any speed.
   const double max_jump_m = track.poses.size() > 1
                                 ? 2.0 * (T_world_predicted.translation - T_world_previous.translation).norm()
                                 : options_.history.max_speed * seconds_since(track, observation.stamp);
@@ -164,7 +165,7 @@ double TrackStore::seconds_since(const Track& track, Stamp stamp) const {
   return std::max(seconds_between(track.poses.newest_stamp(), stamp), options_.history.min_dt);
 }
 
-// Static objects may be seen only once (a latched table): they stay until clear().
+// Static objects may be seen only once (a latched table), so that they stay until clear().
 void TrackStore::forget_unseen() {
   const Stamp newest = newest_stamp();
   for (auto it = tracks_.begin(); it != tracks_.end();) {
@@ -182,7 +183,7 @@ Stamp TrackStore::newest_stamp() const {
   return newest;
 }
 
-// Objects arrive one after another: the scene is taken where the slowest of them is, so that none is extrapolated.
+// Objects arrive one after another: the scene is taken at the instant of the slowest, so that none is extrapolated.
 Stamp TrackStore::common_stamp(Stamp newest) const {
   Stamp common = newest;
   for (const auto& [id, track] : tracks_) {

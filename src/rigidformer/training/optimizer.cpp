@@ -48,7 +48,7 @@ Tensor FlatAdamW::step(double learning_rate) {
   const Tensor norm = gradient_.norm();
   const Tensor finite = torch::isfinite(norm);
   const Tensor scale = (options_.clip_norm / (norm + 1e-6)).clamp_max(1.0);
-  // A non-finite gradient becomes zero: the step then only follows momentum, and nothing is poisoned.
+  // A non-finite gradient becomes zero: the step then only follows momentum, and the weights stay finite.
   gradient_.mul_(torch::where(finite, scale, torch::zeros_like(scale))).nan_to_num_(0.0, 0.0, 0.0);
 
   first_moment_.lerp_(gradient_, 1.0 - options_.beta1);

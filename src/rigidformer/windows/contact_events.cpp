@@ -53,7 +53,7 @@ double velocity_jump(const PoseRows& poses, int64_t frame, int64_t k, float grav
   return jump.norm();
 }
 
-/// The list that the moment belongs to, or none. `on_floor` is asked only where it matters: it is costly.
+/// The list that the moment belongs to, or none. `on_floor` is asked only where it matters, because it is costly.
 template <typename OnFloor>
 std::vector<ContactEvent>* list_for(const PoseRows& poses, int64_t frame, int64_t k, float gravity,
                                     const OnFloor& on_floor, ContactEvents& events) {

@@ -16,7 +16,7 @@
 namespace rigidformer {
 namespace {
 
-/// Writes one point set in farthest-point order into row (shape, set).
+/// Writes one point set in farthest-point order into the row (shape, set).
 void store_point_set(SceneTensors& tensors, int64_t shape, int64_t set, const SurfaceSamples& samples) {
   const auto capacity = static_cast<int>(tensors.shape_points.size(2));
   const std::vector<int> order = farthest_point_order(samples.points, capacity);
@@ -75,7 +75,7 @@ void store_object(SceneTensors& tensors, int64_t s, int64_t k, const RecordedObj
   }
 }
 
-/// Tensors for all scenes, without objects yet.
+/// Makes the tensors of all scenes, without objects yet.
 SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   int64_t S = 0, F = -1, K = 0;
   for (const SceneArchive& archive : archives) {

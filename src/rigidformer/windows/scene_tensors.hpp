@@ -20,7 +20,7 @@ struct SceneTensors {
   Tensor poses;              ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass
   Tensor object_mask;        ///< [S, K] bool
   Tensor shape;              ///< [S, K] int64 into Q
-  Tensor size;               ///< [S, K]
+  Tensor size;               ///< [S, K] scale of the shape
   Tensor properties;         ///< [S, K, 3] mass, friction, restitution
   Tensor gravity;            ///< [S] vertical component [m/s^2]
   Tensor shape_points;       ///< [Q, P, M, 3] at size 1

@@ -10,9 +10,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kCameraDistance = 10.0;                     // [m] from the middle of the arena
+// The random camera of one-sided clouds: its distance from the middle of the arena and its elevation. Chosen by eye.
+constexpr double kCameraDistance = 10.0;                     // [m]
 constexpr double kMinElevation = 0.15, kMaxElevation = 1.2;  // [rad]
-constexpr int64_t kMinVisiblePoints = 8;
+constexpr int64_t kMinVisiblePoints = 8;  // fewer points tell too little: then all stay; chosen by eye
 
 /// Rotation matrices [..., 3, 3] from unit quaternions x y z w [..., 4].
 Tensor rotation_matrix(const Tensor& quaternion) {
@@ -86,7 +87,7 @@ PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape
   return candidates;
 }
 
-/// Points whose outward normal faces a camera drawn per window.
+/// Keeps the points whose outward normal faces a camera, which is drawn per window.
 Tensor facing_camera(const PointCandidates& candidates, const Pose& pose, const TensorRandom& random) {
   const int64_t B = candidates.points.size(0);
   const auto like = candidates.points.options();
@@ -117,7 +118,7 @@ void keep_points(const PointCandidates& candidates, const Tensor& usable, const 
   scene.point_mask = (rank.slice(0, 0, N) < count).logical_and(scene.object_mask.unsqueeze(-1));
 }
 
-/// Which rows of the scene tensors a batch is made of.
+/// The rows of the scene tensors that a batch is made of.
 struct WindowRows {
   Tensor scene;      ///< [B] int64
   Tensor frame;      ///< [B * T] int64 into flattened (scene, frame)
@@ -148,13 +149,13 @@ Tensor per_object(const Tensor& values, const WindowRows& rows) {
   return of_scene.gather(1, rows.order.unsqueeze(-1).expand({-1, -1, of_scene.size(2)}));
 }
 
-/// Where a window was moved to, as a whole.
+/// The motion by which a window as a whole is turned and shifted.
 struct Placement {
   Tensor yaw;    ///< [B, 1, 3, 3]
   Tensor shift;  ///< [B, 1, 3]
 };
 
-/// True poses `offset` frames beside the T frames of the windows.
+/// The true poses `offset` frames away from the T frames of the windows.
 std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& rows, const Placement& placement,
                                int64_t offset) {
   const int64_t B = rows.order.size(0), K = rows.order.size(1), T = rows.frame.size(0) / B;

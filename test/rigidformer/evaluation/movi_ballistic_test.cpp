@@ -16,22 +16,22 @@ namespace {
 
 #ifdef RIGIDFORMER_HAS_SIMULATION
 
-constexpr int kHorizon = 100;
+constexpr int kHorizon = 100;  // [frames] longest horizon of the paper
 
-/// Scores of the ballistic guess on 120 other scenes at step 10, horizon 100.
+/// Score of the ballistic guess on 120 other scenes at step size 10 and horizon 100.
 struct Reference {
   int start;
   PoseError error;
 };
 
-/// Errors scatter from scene to scene by about 110 % of their mean at start 0, where a few scenes have all the
-/// collisions, and by 15 to 70 % later: start 0 needs more scenes, which can be short.
+/// Checks a score on simulated scenes. Errors scatter from scene to scene by about 110 % of their mean at start 0,
+/// where a few scenes have all the collisions, and by 15 to 70 % later. Start 0 needs more scenes, which can be short.
 void expect_score(MoviSet set, const std::vector<Shape>& library, int num_scenes, const Reference& reference) {
   SceneArchive archive;
   archive.set = to_string(set);
   archive.shapes = movi_shapes(set, library);
   MoviOptions scene_options;
-  scene_options.num_frames = reference.start + kHorizon + 1;  // no more than what is scored
+  scene_options.num_frames = reference.start + kHorizon + 1;  // only what is scored
   for (int i = 0; i < num_scenes; ++i) {
     archive.scenes.push_back(generate_movi_scene(set, archive.shapes, 12345, i, scene_options));
   }

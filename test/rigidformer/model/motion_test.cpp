@@ -33,7 +33,7 @@ struct FreeFlight {
   }
 };
 
-/// Spheres' centres that stand still or move in straight lines, for the contact gate.
+/// Centres of spheres that stand still or move in straight lines, for the contact gate.
 struct Spheres {
   SceneBatch batch;
   BaseMotion base;
@@ -88,7 +88,7 @@ TEST(BaseMotion, InertialFormIsSpinAndParabola) {
 
 TEST(BaseMotion, GravityPullsOnlyDynamicObjects) {
   RandomScene scene = random_scene(3, {{9, 9}});
-  scene.state.previous = scene.state.current;  // at rest
+  scene.state.previous = scene.state.current;  // the bodies rest
   scene.batch.dynamic_mask[0][1] = false;
   ModelOptions options = model_preset("tiny");
   options.inertial_base_motion = true;
@@ -100,11 +100,11 @@ TEST(BaseMotion, GravityPullsOnlyDynamicObjects) {
 }
 
 TEST(ContactGate, OpensExactlyAtTheReachOfSweptSpheres) {
-  // Closest approach of the two lines is 2 m, half-way through the step; radii sum to 1 m.
+  // The closest approach of the two lines is 2 m, half-way through the step; the radii sum to 1 m.
   const Spheres pair(torch::stack({vec3(-3, 0, 9), vec3(3, 2, 9)}), torch::stack({vec3(6, 0, 0), vec3(-6, 0, 0)}));
   EXPECT_EQ(pair.gate(0.999), (std::vector<bool>{false, false}));
   EXPECT_EQ(pair.gate(1.001), (std::vector<bool>{true, true}));
-  // Distances of today do not count when they part: the closest approach is now.
+  // When the spheres part, the closest approach is now.
   const Spheres parting(torch::stack({vec3(0, 0, 9), vec3(1.5, 0, 9)}), torch::stack({vec3(-9, 0, 0), vec3(9, 0, 0)}));
   EXPECT_EQ(parting.gate(0.499), (std::vector<bool>{false, false}));
   EXPECT_EQ(parting.gate(0.501), (std::vector<bool>{true, true}));
@@ -112,10 +112,10 @@ TEST(ContactGate, OpensExactlyAtTheReachOfSweptSpheres) {
 
 TEST(ContactGate, GroundCountsForTheLowestPointOfTheStep) {
   const Spheres falling(vec3(0, 0, 2).unsqueeze(0), vec3(0, 0, -0.5).unsqueeze(0), 0.0);
-  EXPECT_FALSE(falling.gate(0.999)[0]);  // bottom ends at 2 - 0.5 - 0.5 = 1 m
+  EXPECT_FALSE(falling.gate(0.999)[0]);  // the bottom ends at 2 - 0.5 - 0.5 = 1 m
   EXPECT_TRUE(falling.gate(1.001)[0]);
   const Spheres rising(vec3(0, 0, 2).unsqueeze(0), vec3(0, 0, 5).unsqueeze(0), 0.0);
-  EXPECT_FALSE(rising.gate(1.499)[0]);  // bottom starts at 1.5 m
+  EXPECT_FALSE(rising.gate(1.499)[0]);  // the bottom starts at 1.5 m
   EXPECT_TRUE(rising.gate(1.501)[0]);
 }
 
@@ -158,7 +158,7 @@ TEST(Advance, PredictedPosesMoveDynamicObjectsAndTwistsMoveTheOthers) {
   RandomScene scene = random_scene(5, {{8, 8, 8}});
   scene.batch.dynamic_mask[0][1] = scene.batch.dynamic_mask[0][2] = false;
   SceneState& state = scene.state;
-  state.previous.rotation.select(1, 2).copy_(state.current.rotation.select(1, 2));  // the last one rests
+  state.previous.rotation.select(1, 2).copy_(state.current.rotation.select(1, 2));  // the last object rests
   state.previous.translation.select(1, 2).copy_(state.current.translation.select(1, 2));
   const Pose next = flight.at(0.2);
   const Pose predicted{next.rotation.expand({1, 3, 3, 3}), next.translation.expand({1, 3, 3})};
@@ -193,7 +193,7 @@ TEST(Advance, GivenMotionsStayRigidOverLongRollouts) {
   for (int step = 0; step < 200; ++step) state = advance(scene.batch, state, {Tensor(), state.current, state.current});
   const Tensor R = state.current.rotation;
   EXPECT_LT(largest_difference(torch::matmul(R.transpose(-1, -2), R), torch::eye(3).expand_as(R)), 1e-5);
-  EXPECT_LT(largest_difference(R[0][1], scene.state.current.rotation[0][1]), 1e-3);  // did not turn
+  EXPECT_LT(largest_difference(R[0][1], scene.state.current.rotation[0][1]), 1e-3);  // the object did not turn
 }
 
 TEST(NearestByDistanceMatrix, MatchesBruteForce) {

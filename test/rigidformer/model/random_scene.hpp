@@ -15,7 +15,7 @@
 
 namespace rigidformer {
 
-/// The input of one step.
+/// The inputs of one step.
 struct RandomScene {
   SceneBatch batch;
   SceneState state;
@@ -48,7 +48,7 @@ void for_each_scene_tensor(RandomScene& scene, Visitor&& visit) {
   if (b.control.defined()) visit(b.control);
 }
 
-/// The pose moved a little: up to some centimetres and hundredths of a radian.
+/// Moves the pose a little: by up to some centimetres and hundredths of a radian.
 inline Pose nudged(const Pose& pose) {
   return {special_procrustes((pose.rotation + 0.03 * torch::randn_like(pose.rotation)).transpose(-1, -2)),
           pose.translation + 0.02 * torch::randn_like(pose.translation)};
@@ -105,7 +105,7 @@ inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vecto
   return scene;
 }
 
-/// All options beyond the paper on.
+/// Turns on all options beyond the paper.
 inline ModelOptions contact_aware(ModelOptions options) {
   options.inertial_base_motion = options.contact_gate = options.centre_of_mass_head = true;
   options.position_feature = options.contact_features = options.property_mask = true;
@@ -115,7 +115,7 @@ inline ModelOptions contact_aware(ModelOptions options) {
   return options;
 }
 
-/// The tiny preset in the paper's form and with all options beyond it.
+/// The tiny preset, in the paper's form and with all options beyond it.
 inline std::vector<ModelOptions> tiny_variants() { return {model_preset("tiny"), contact_aware(model_preset("tiny"))}; }
 
 inline const std::vector<std::string>& encoding_names() {

@@ -12,7 +12,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kFiniteDifferenceTolerance = 1e-6;
+constexpr double kFiniteDifferenceTolerance = 1e-6;  // relative, of central differences in float64
 
 Tensor random_rotation() { return special_procrustes(torch::randn({3, 3}, torch::kFloat64)); }
 
@@ -79,7 +79,7 @@ TEST_F(RigidProjectionTest, MirroredTargetsStillGiveProperRotations) {
 
 TEST_F(RigidProjectionTest, DegenerateInputStaysFiniteAndRigid) {
   Tensor H = torch::zeros({3, 3, 3}, torch::kFloat64);
-  H[1][0][0] = 2.0;  // anchors on a line
+  H[1][0][0] = 2.0;  // the anchors lie on a line
   H[2] = 1e-30 * torch::randn({3, 3}, torch::kFloat64);
   H.set_requires_grad(true);
   const Tensor R = special_procrustes(H);

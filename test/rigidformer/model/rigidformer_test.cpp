@@ -9,9 +9,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kSameToRounding = 1e-9;  // float64, other order of summation
+constexpr double kSameToRounding = 1e-9;  // float64, with another order of summation
 constexpr double kVisible = 1e-4;         // a difference that a broken property would show
-const std::vector<std::vector<int64_t>> kMixedScenes = {{20, 9, 16}, {12, 17}};
+const std::vector<std::vector<int64_t>> kMixedScenes = {{20, 9, 16}, {12, 17}};  // points of each object in two scenes
 
 RandomScene reordered_objects(RandomScene scene, const Tensor& order) {
   for_each_object_tensor(scene, [&](Tensor& tensor) { tensor = tensor.index_select(1, order); });
@@ -49,7 +49,7 @@ RandomScene padded(RandomScene scene, int64_t more_objects, int64_t more_points)
   return scene;
 }
 
-/// Scene `i` of a batch alone, without its padding.
+/// Scene `i` of a batch on its own, without its padding.
 RandomScene alone(RandomScene scene, int64_t i) {
   const int64_t K = scene.batch.object_mask[i].sum().item<int64_t>();
   const int64_t N = scene.batch.point_mask[i].sum(-1).max().item<int64_t>();
@@ -61,7 +61,7 @@ RandomScene alone(RandomScene scene, int64_t i) {
   return scene;
 }
 
-/// What the network adds to the base motion [m].
+/// The network's addition to the base motion [m].
 Tensor network_share(const ModelOptions& options, const RandomScene& scene, const StepPrediction& prediction,
                      RigidFormer& model) {
   const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
@@ -91,7 +91,7 @@ TEST(RigidFormerTest, PermutedObjectsGivePermutedPredictions) {
   const Tensor order = torch::tensor({2, 0, 3, 1}, torch::kInt64);
   for (ModelOptions options : tiny_variants()) {
     for (const std::string& name : encoding_names()) {
-      if (name == "learned") continue;  // an index embedding is what breaks the symmetry
+      if (name == "learned") continue;  // an index embedding breaks the symmetry
       SCOPED_TRACE(name);
       options.position_encoding = position_encoding_from_string(name);
       RigidFormer model = random_model(options);
@@ -145,7 +145,8 @@ TEST(RigidFormerTest, VertexOrderMattersOnlyThroughThePoolingLevels) {
     RigidFormer model = random_model(options);
     EXPECT_GT(largest_difference(predict(model, shuffled).anchors_raw, predict(model, scene).anchors_raw), 1e-7);
     torch::NoGradGuard no_grad;
-    model->encoder->fuse->first->weight.slice(1, options.encoder_widths.back()).zero_();  // keep the full level
+    // Keeps only the level of all points.
+    model->encoder->fuse->first->weight.slice(1, options.encoder_widths.back()).zero_();
     expect_same(predict(model, shuffled), predict(model, scene));
   }
 }

@@ -20,7 +20,7 @@ struct Reference {
   double orientation_deg;
 };
 
-/// Chaos limits how far a published scene can be followed; these errors are what the best known settings reach.
+/// Chaos limits how far a published scene can be followed: the reference errors are what the best known settings reach.
 class MoviFidelity : public ::testing::TestWithParam<Reference> {};
 
 TEST_P(MoviFidelity, ResimulationFollowsThePublishedScene) {

@@ -15,11 +15,11 @@ namespace testing {
 
 namespace {
 
-constexpr int kSamplesPerPoint = 6;     // of the whole surface, of which the camera sees and hits some
-constexpr float kSurfaceGap = 0.005F;   // [m] at size 1: a point does not hide itself
-constexpr double kOutlierExtent = 1.5;  // of the shape's box
+constexpr int kSamplesPerPoint = 6;     // samples of the whole surface, of which the camera sees and hits some; by eye
+constexpr float kSurfaceGap = 0.005F;   // [m] at size 1, so that a point does not hide itself; by eye
+constexpr double kOutlierExtent = 1.5;  // [extents of the shape's box] box of the outliers; by eye
 
-// Whether the segment from `a` to `b` passes through the part.
+// Tells whether the segment from `a` to `b` passes through the part.
 bool crosses(const ConvexPart& part, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   float enter = 0.0F;
   float leave = 1.0F;

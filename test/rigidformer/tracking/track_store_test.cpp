@@ -15,11 +15,11 @@ using testing::blob;
 using testing::Flight;
 using testing::observe;
 
-constexpr double kTimeStep = 10.0 / 240.0;
+constexpr double kTimeStep = 10.0 / 240.0;  // [s] ten frames of the training data
 
 class TrackStoreTest : public ::testing::Test {
  protected:
-  // Frames 0 .. count - 1 of a flight at 30 Hz from `start_s` on.
+  // Adds frames 0 .. count - 1 of a flight at 30 Hz from `start_s` on.
   void feed(const std::string& id, const Flight& flight, int count, double start_s = 100.0) {
     for (int i = 0; i < count; ++i) {
       store.add(observe(id, flight, start_s + i / 30.0, i / 30.0));
@@ -29,7 +29,7 @@ class TrackStoreTest : public ::testing::Test {
   TrackStore store{TrackingOptions()};
 };
 
-// World points of an object's state, whatever its reference frame is.
+// The points of an object's state in world, whichever its reference frame is.
 void expect_points(const Points& actual, const Points& expected) {
   ASSERT_EQ(actual.rows(), expected.rows());
   EXPECT_LT((actual - expected).cwiseAbs().maxCoeff(), 5e-6F);
@@ -63,7 +63,7 @@ TEST_F(TrackStoreTest, OneFrameIsAssumedStatic) {
 
 TEST_F(TrackStoreTest, TakesTheSceneWhereAllObjectsAre) {
   feed("a", Flight(), 4);
-  feed("b", Flight(), 3);  // its newest cloud is still on the way
+  feed("b", Flight(), 3);  // the newest cloud of "b" is still on the way
   const ObservedScene scene = store.snapshot(kTimeStep);
   EXPECT_NEAR(seconds_between({}, scene.stamp), 100.0 + 2 / 30.0, 1e-8);
   EXPECT_EQ(scene.objects.size(), 2U);

@@ -14,7 +14,7 @@
 namespace rigidformer {
 namespace {
 
-const std::vector<Window> kWindows = {{2, 7, 5}, {0, 0, 10}, {1, 20, 1}};  // 3, 1 and 2 objects
+const std::vector<Window> kWindows = {{2, 7, 5}, {0, 0, 10}, {1, 20, 1}};  // scenes of 3, 1 and 2 objects
 
 class WindowBatchTest : public ::testing::Test {
  protected:
@@ -32,7 +32,7 @@ Tensor valid_points(const SceneBatch& scene, int64_t b, int64_t k) {
   return scene.points_reference[b][k].index({scene.point_mask[b][k]});
 }
 
-/// Which of the six faces of an axis-aligned cube of the given size points lie on.
+/// The faces of an axis-aligned cube of the given size, out of six, on which points lie.
 std::set<int> faces(const Tensor& points, double size) {
   std::set<int> found;
   for (int axis = 0; axis < 3; ++axis) {
@@ -91,8 +91,8 @@ TEST_F(WindowBatchTest, TheSurfaceHoldsAllThatIsSeen) {
   EXPECT_LT(count.item<int64_t>(), 256);  // ... and less than all sides
   const Tensor seen = scene.surface_points[0][2].index({scene.surface_mask[0][2]});
   const Tensor looked_at = valid_points(scene, 0, 2);
-  EXPECT_LT(torch::cdist(looked_at, seen, 2.0, 2).amin(-1).max().item<double>(), 1e-6);  // noise and all
-  EXPECT_FALSE(scene.surface_mask[1][2].any().item<bool>());                             // no such object
+  EXPECT_LT(torch::cdist(looked_at, seen, 2.0, 2).amin(-1).max().item<double>(), 1e-6);  // with the same noise
+  EXPECT_FALSE(scene.surface_mask[1][2].any().item<bool>());                             // there is no such object
 }
 
 TEST_F(WindowBatchTest, SceneHoldsWhatWasRecorded) {
@@ -128,7 +128,7 @@ TEST_F(WindowBatchTest, NumberOfPointsStaysWithinBounds) {
         const auto n = count[b][k].item<int64_t>();
         counts.insert(n);
         ASSERT_TRUE(n >= 10 && n <= 40) << n;
-        EXPECT_TRUE(scene.point_mask[b][k].slice(0, 0, n).all().item<bool>());  // valid ones first
+        EXPECT_TRUE(scene.point_mask[b][k].slice(0, 0, n).all().item<bool>());  // the valid points come first
         EXPECT_LT(scene.anchor_index[b][k].max().item<int64_t>(), n);
       }
     }
@@ -140,7 +140,7 @@ TEST_F(WindowBatchTest, VertexWindowsHoldTheMeshVertices) {
   AugmentationOptions options = no_augmentation(32);
   options.vertex_probability = 1.0;
   const SceneBatch scene = make(options).scene;
-  const Tensor points = valid_points(scene, 0, 1);  // size 2
+  const Tensor points = valid_points(scene, 0, 1);  // the cube of size 2
   EXPECT_EQ(points.size(0), 8);
   EXPECT_LT(largest_difference(points.abs(), torch::ones({8, 3})), 1e-6);
 }
@@ -199,7 +199,7 @@ TEST_F(WindowBatchTest, ViewsShowOnlySidesThatFaceOneCamera) {
     }
   }
   EXPECT_GT(views.size(), 2u);
-  options.vertex_probability = 1.0;  // one side of a cube has seven corners: too few, so all eight stay
+  options.vertex_probability = 1.0;  // one side of a cube has seven corners: too few, so that all eight stay
   EXPECT_EQ(valid_points(make(options).scene, 0, 0).size(0), 8);
 }
 
@@ -209,7 +209,7 @@ TEST_F(WindowBatchTest, TheWholeSurfaceHasTheSidesThatNobodySees) {
   options.noise_m = 0.01;
   const WindowBatch batch = make(options);
   const Tensor whole = batch.whole_surface[0][2].index({batch.whole_mask[0][2]});
-  EXPECT_EQ(faces(whole, 3.0).size(), 6u);  // and no noise
+  EXPECT_EQ(faces(whole, 3.0).size(), 6u);  // without noise
   EXPECT_FALSE(batch.whole_mask[1][2].any().item<bool>()) << "no such object";
 }
 
@@ -309,7 +309,7 @@ TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
   EXPECT_EQ(tensors.object_counts(), (std::vector<int64_t>{1, 3, 1, 2}));
   EXPECT_EQ(tensors.shape_points.sizes(), (std::vector<int64_t>{2, 3, 50, 3}));
   EXPECT_TRUE(torch::equal(tensors.shape_point_count, torch::tensor({{8, 50, 50}, {4, 50, 50}}, torch::kInt64)));
-  EXPECT_EQ(tensors.shape[2][0].item<int64_t>(), 1);  // second archive, own shapes
+  EXPECT_EQ(tensors.shape[2][0].item<int64_t>(), 1);  // the second archive has its own shapes
   EXPECT_NEAR(tensors.gravity[3].item<double>(), -9.0, 1e-6);
   EXPECT_FALSE(torch::equal(tensors.shape_points[0][1], tensors.shape_points[0][2]));
   const Tensor corner_normals = tensors.shape_normals[0][0].slice(0, 0, 8), corners = tensors.shape_points[0][0];
