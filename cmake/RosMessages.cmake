@@ -21,9 +21,6 @@ file(GLOB service_files RELATIVE ${PROJECT_SOURCE_DIR}/srv CONFIGURE_DEPENDS ${P
 add_message_files(DIRECTORY msg FILES ${message_files})
 add_service_files(DIRECTORY srv FILES ${service_files})
 generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs)
-if(NOT RIGIDFORMER_MESSAGES_ONLY)
-  generate_dynamic_reconfigure_options(cfg/Diagnostics.cfg cfg/Display.cfg cfg/Predict.cfg)
-endif()
 
 catkin_package(
   INCLUDE_DIRS ${exported_folders}
