@@ -11,7 +11,7 @@
 #include "rigidformer/scene/surface_sampling.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
 
-namespace testing {
+namespace rigidformer::testing {
 
 namespace {
 
@@ -136,4 +136,4 @@ PoseError pose_error(const RigidTransform& T_tracked, const RigidTransform& T_tr
   return {(T_estimated.translation - T_true.translation).norm(), rotation_angle(T_estimated.rotation, T_true.rotation)};
 }
 
-}  // namespace testing
+}  // namespace rigidformer::testing

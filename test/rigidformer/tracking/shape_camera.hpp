@@ -10,7 +10,7 @@
 #include "rigidformer/scene/shape.hpp"
 #include "rigidformer/tracking/options.hpp"
 
-namespace testing {
+namespace rigidformer::testing {
 
 /// The faults of a camera. The values were chosen by eye.
 struct Imperfections {
@@ -69,4 +69,4 @@ struct PoseError {
 PoseError pose_error(const RigidTransform& T_tracked, const RigidTransform& T_tracked_first,
                      const RigidTransform& T_true, const RigidTransform& T_true_first);
 
-}  // namespace testing
+}  // namespace rigidformer::testing
