@@ -113,4 +113,6 @@ for source in "$root"/examples/[0-9]*.cpp; do
 done
 check demo_headless "$root/scripts/demo.sh" --headless --workspace "$workspace"
 check clang_format "$root/scripts/format.sh" --check
+check clang_tidy "$root/scripts/tidy.py" --workspace "$workspace"
+check shellcheck shellcheck -x -P SCRIPTDIR "$root"/scripts/*.sh "$root"/docker/*.sh "$root/.ci/run"
 finish
