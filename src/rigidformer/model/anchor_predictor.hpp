@@ -24,7 +24,7 @@ TORCH_MODULE(CrossAttentionLayer);
 
 /// Number of values per anchor: the change of motion over the step (3), what the velocity at its end has beyond that
 /// (3), and the logit of the share that the engine's step has in both (1), each where the options ask for it.
-int64_t num_anchor_outputs(const ModelOptions& options);
+std::int64_t num_anchor_outputs(const ModelOptions& options);
 
 /// Turns anchor queries into outputs (§3.2, App. G). Anchor state and pooled vertex features make a query, which reads
 /// the object tokens of several decoder outputs in parallel. The reads are fused, and a head makes the outputs.

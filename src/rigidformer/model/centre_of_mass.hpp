@@ -15,7 +15,7 @@ Tensor bounding_radius(const Tensor& points, const Tensor& point_mask, const Ten
 
 /// Number of points of a cloud, the first in farthest-point order, that the heads look at which estimate what an object
 /// is: the features that they pool are then alike for clouds of any density. Measured in docs/experiments.md.
-constexpr int64_t kShapePoints = 96;
+constexpr std::int64_t kShapePoints = 96;
 
 /// Estimates where the centre of mass lies inside a cloud that may be partial: a small PointNet on the
 /// cloud in units of its own radius, so that the estimate scales with the object. This goes beyond the

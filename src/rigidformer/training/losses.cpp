@@ -8,7 +8,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr int64_t kDirections = 64;  // drawn per loss, along which hulls are compared; chosen by eye
+constexpr std::int64_t kDirections = 64;  // drawn per loss, along which hulls are compared; chosen by eye
 
 /// Smooth L1 (Eq. 7) of a residual [B, K, *, 3]: the sum over coordinates, and the mean
 /// over the rest for valid objects.
