@@ -33,8 +33,9 @@ Triangles fan_triangles(const btConvexHullComputer& hull, const Points& vertices
     }
   }
   Triangles result(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
     result.row(static_cast<Eigen::Index>(i)) = triangles[i].transpose();
+  }
   return result;
 }
 

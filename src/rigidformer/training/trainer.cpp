@@ -124,8 +124,9 @@ void Trainer::load_weights() {
   if (options_.precision == "bfloat16") model_->set_compute_type(torch::kBFloat16);
   model_->to(device_);
   model_->train();
-  if (group_.is_first())
+  if (group_.is_first()) {
     std::cerr << "model " << options_.model.preset << ": " << count_parameters(*model_) << " parameters\n";
+  }
 }
 
 int Trainer::unroll_steps(std::int64_t iteration) const {

@@ -97,8 +97,9 @@ ContactEvents find_contact_events(const SceneTensors& tensors) {
   for (std::int64_t worker = 0; worker < num_workers; ++worker) {
     workers.emplace_back([&, worker] {
       const std::int64_t begin = S * worker / num_workers, end = S * (worker + 1) / num_workers;
-      for (std::int64_t scene = begin; scene < end; ++scene)
+      for (std::int64_t scene = begin; scene < end; ++scene) {
         find_in_scene(tensors, scene, found[static_cast<size_t>(worker)]);
+      }
     });
   }
   for (std::thread& worker : workers) worker.join();

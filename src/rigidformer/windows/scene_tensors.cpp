@@ -48,8 +48,9 @@ void store_shapes(SceneTensors& tensors, const std::vector<const Shape*>& shapes
   const std::int64_t num_workers = std::min<std::int64_t>(Q, std::max(1u, std::thread::hardware_concurrency()));
   for (std::int64_t worker = 0; worker < num_workers; ++worker) {
     workers.emplace_back([&, worker] {
-      for (std::int64_t q = worker; q < Q; q += num_workers)
+      for (std::int64_t q = worker; q < Q; q += num_workers) {
         store_shape(tensors, q, *shapes[static_cast<size_t>(q)], options);
+      }
     });
   }
   for (std::thread& worker : workers) worker.join();

@@ -135,8 +135,9 @@ TEST(Protocol, DriftCountsOnlyWhatLiesStill) {
   // Object 0 of the second scene lies still from frame 10 on; the first scene has nothing at rest.
   SceneArchive archive = flying_set(2, 130);
   auto& poses = archive.scenes[1].objects[0].T_world_object;
-  for (std::size_t frame = 10; frame < poses.size(); ++frame)
+  for (std::size_t frame = 10; frame < poses.size(); ++frame) {
     poses[frame] = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}};
+  }
   class StillDrifting : public Forecaster {
    public:
     std::string name() const override { return "still_drifting"; }

@@ -26,8 +26,9 @@ TEST_F(FarthestAnchorsTest, EqualFarthestPointSamplingOfTheValidPoints) {
       const Tensor cloud = points_[b][k].index({mask_[b][k]}).to(torch::kFloat32).contiguous();
       const Points rows = Eigen::Map<const Points>(cloud.data_ptr<float>(), cloud.size(0), 3);
       const std::vector<int> expected = farthest_point_order(rows, 5);
-      for (size_t i = 0; i < 5; ++i)
+      for (size_t i = 0; i < 5; ++i) {
         EXPECT_EQ(anchors[b][k][static_cast<std::int64_t>(i)].item<std::int64_t>(), expected[i]);
+      }
     }
   }
 }

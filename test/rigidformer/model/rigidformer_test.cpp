@@ -36,8 +36,9 @@ RandomScene padded(RandomScene scene, std::int64_t more_objects, std::int64_t mo
     *rows = torch::constant_pad_nd(*rows, {0, 0, 0, more_points, 0, more_objects}, 7.5);
   }
   b.point_mask = torch::constant_pad_nd(b.point_mask, {0, more_points, 0, more_objects}, false);
-  for (Tensor* mask : {&b.object_mask, &b.dynamic_mask})
+  for (Tensor* mask : {&b.object_mask, &b.dynamic_mask}) {
     *mask = torch::constant_pad_nd(*mask, {0, more_objects}, false);
+  }
   for (Tensor* rows : {&b.anchor_index, &b.properties, &b.properties_known}) {
     *rows = torch::constant_pad_nd(*rows, {0, 0, 0, more_objects}, 0);
   }
