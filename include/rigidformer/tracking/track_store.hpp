@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rigidformer/tracking/observation.hpp"
 #include "rigidformer/tracking/options.hpp"
@@ -14,16 +15,19 @@
 namespace rigidformer {
 
 struct CloudRegistration;
+struct Sighting;
+enum class Presence;
 
 /// What became of an observation.
 enum class AddResult {
-  kExtended,       ///< Continued its track
-  kLowQuality,     ///< Likewise, but the cloud fits no pose well
-  kNewTrack,       ///< Began a track
-  kTimeRestarted,  ///< Stamp far in the past: everything was cleared, then a track begun
-  kLate,           ///< Slightly older than the newest: dropped
-  kTooFewPoints,   ///< Dropped
-  kNoPose,         ///< Dropped: correspondence is by pose and there is none
+  kExtended,          ///< Continued its track
+  kLowQuality,        ///< Likewise, but the cloud fits no pose well
+  kNewTrack,          ///< Began a track
+  kNewTrackAfterGap,  ///< Began a track, because the last cloud of the object is too long ago to tell a velocity
+  kTimeRestarted,     ///< Stamp far in the past: everything was cleared, then a track begun
+  kLate,              ///< Slightly older than the newest: dropped
+  kTooFewPoints,      ///< Dropped
+  kNoPose,            ///< Dropped: correspondence is by pose and there is none
 };
 
 /// Keeps one track per object id: a reference cloud and the poses since it began. Knows time by stamps only.
@@ -42,6 +46,9 @@ class TrackStore {
 
   TrackRecords records() const;
 
+  /// Stamp of the newest cloud of an object; empty = it is not tracked.
+  std::optional<Stamp> newest_stamp_of(const std::string& id) const;
+
   void clear();
   bool empty() const { return tracks_.empty(); }
 
@@ -58,8 +65,9 @@ class TrackStore {
   bool is_too_fast(const Track& track, Stamp stamp, const RigidTransform& T_world_object) const;
   void forget_unseen();
   bool is_ordered() const { return options_.correspondence.method == Correspondence::kOrdered; }
-  Stamp newest_stamp() const;
-  Stamp common_stamp(Stamp newest) const;
+  std::vector<Sighting> sightings() const;
+  Stamp newest_arrival() const;
+  void add_moving(ObservedScene& scene, const std::string& id, const Track& track, Presence presence) const;
   ObservedObject observe(const std::string& id, const Track& track, Stamp stamp, double time_step_s) const;
 
   TrackingOptions options_;

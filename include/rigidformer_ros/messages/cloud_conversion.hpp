@@ -13,11 +13,21 @@ namespace rigidformer_ros {
 
 using rigidformer::Points;
 
+/// How many points of a cloud may be finite, and the parameter that says so.
+struct PointLimit {
+  PointLimit(std::uint64_t most, const char* parameter = "max_points") : points(most), name(parameter) {}
+  std::uint64_t points;
+  const char* name;
+};
+
 /// Reads x, y, z [m] (float32 or float64) of every point, in order, whatever other fields there are. Coordinates that
 /// are not finite or absurdly large (> 1e6 m) become NaN, whatever `is_dense` claims, so that point numbers stay the
-/// same. Throws std::invalid_argument naming the field at fault when the message contradicts itself or has more than
-/// `max_points` points; never reads outside `data`.
-Points read_points(const sensor_msgs::PointCloud2& cloud, std::uint64_t max_points);
+/// same. Throws std::invalid_argument naming the field at fault when the message contradicts itself or has more
+/// finite points than `limit`; never reads outside `data`.
+Points read_points(const sensor_msgs::PointCloud2& cloud, const PointLimit& limit);
+
+/// Throws std::invalid_argument when more points are finite than `limit` says.
+void require_few(const Points& points, const PointLimit& limit);
 
 /// One batch of points of a labelled cloud.
 struct LabelledPoints {

@@ -30,6 +30,9 @@ class LiveScene {
   /// Takes an observation in; rejections are counted.
   void add(const ObjectObservation& observation);
 
+  /// Whether a cloud has come within the last `timeout_s`, however old it was then.
+  bool is_fed(rigidformer::Stamp now, double timeout_s) const;
+
   /// Forgets everything when the clock has jumped back since the last call.
   void watch_clock(const ros::Time& now);
 
@@ -41,10 +44,14 @@ class LiveScene {
   std::uint64_t epoch() const;
 
  private:
+  std::string describe_gap(const ObjectObservation& observation, rigidformer::Stamp before) const;
+
   RejectionLog& rejections_;
   mutable std::mutex mutex_;
   StampGate gate_;
   rigidformer::TrackStore tracks_;
+  double max_dt_s_;
+  rigidformer::Stamp newest_arrival_;
   std::uint64_t epoch_ = 0;
 };
 

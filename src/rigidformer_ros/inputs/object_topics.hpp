@@ -32,12 +32,14 @@ class ObjectTopics {
  private:
   void subscribe(const ListedObject& source);
   void discover();
+  void forget_silent(const std::set<std::string>& published);
 
   ros::NodeHandle node_;
   InputParameters input_;
   std::string pattern_;  ///< Resolved; empty = no discovery
   Handler handler_;
   std::map<std::string, ros::Subscriber> subscribers_;  ///< By resolved topic
+  std::map<std::string, std::string> discovered_;       ///< Topics found while running, with the id
   std::set<std::string> ids_;                           ///< That have a topic; a listed object keeps its own
   ros::WallTimer discovery_timer_;
 };

@@ -5,10 +5,10 @@
 #include <rigidformer_ros/ObjectClouds.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include "rigidformer/tracking/observation.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 
 namespace rigidformer_ros {
 
@@ -19,9 +19,9 @@ bool is_empty(const ObjectClouds& clouds);
 /// the message's name in texts.
 void check_lengths(const ObjectClouds& clouds, const std::string& field);
 
-/// Object `i` of a message whose arrays fit, in the fixed frame, with at most `max_points` points and the properties
+/// Object `i` of a message whose arrays fit, in the fixed frame, with at most `limit` points and the properties
 /// that the message gives. Throws std::invalid_argument naming what is at fault.
-rigidformer::ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, std::uint64_t max_points,
+rigidformer::ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, const PointLimit& limit,
                                            const rigidformer::RigidTransform& T_fixed_cloud);
 
 }  // namespace rigidformer_ros

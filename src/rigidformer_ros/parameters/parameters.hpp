@@ -13,6 +13,7 @@
 #include "rigidformer/scene/object.hpp"
 #include "rigidformer/tracking/observation.hpp"
 #include "rigidformer/tracking/options.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 
 namespace rigidformer_ros {
 
@@ -40,13 +41,16 @@ struct InputParameters {
   double discovery_period = 1.0;                    ///< [s] wall time between looks for new topics
   int queue_size = 5;                               ///< Clouds kept per topic
   int min_points = 4;                               ///< Finite points below which a cloud is rejected
-  int max_points = 200000;                          ///< Points of one object above which its cloud is rejected
-  double sync_window = 0.1;                     ///< [s] an object seen longer ago than this before the newest sits out
-  std::string cloud;                            ///< Topic of a cloud with a label per point; "" = none
-  int max_cloud_points = 4000000;               ///< Points of all objects and the background above which it is rejected
-  std::vector<NamedLabel> label_names;          ///< Other labels are the dynamic objects obj_<label>
-  std::string object_clouds = "object_clouds";  ///< Topic of rigidformer_ros/ObjectClouds; "" = none
-  std::string pose_frame_prefix;                ///< tf frame <prefix><id> is the pose of an object; "" = no such frames
+  int max_points = 200000;                          ///< Finite points of one object above which its cloud is rejected
+  double sync_window = 0.1;         ///< [s] an object seen longer ago than this before the newest sits out
+  bool drop_invalid_points = true;  ///< Points at 0 0 0 of the sensor, and repeated ones, are none
+  std::string cloud;                ///< Topic of a cloud with a label per point; "" = none
+  int max_cloud_points = 4000000;   ///< Points of all objects and the background above which it is rejected
+  std::string label_field;          ///< Field with the labels; "" = instance, without it label
+  std::vector<int> background_labels = {-1, 0};  ///< Labels of no object; -1 = all bits set, as in 255 of 8 bits
+  std::vector<NamedLabel> label_names;           ///< Other labels are the dynamic objects obj_<label>
+  std::string object_clouds = "object_clouds";   ///< Topic of rigidformer_ros/ObjectClouds; "" = none
+  std::string pose_frame_prefix;  ///< tf frame <prefix><id> is the pose of an object; "" = no such frames
 };
 
 struct PredictParameters {
@@ -124,6 +128,10 @@ NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree);
 
 /// The value of `correspondence/method`. Throws std::invalid_argument for another word.
 rigidformer::Correspondence to_correspondence(const std::string& method);
+
+/// Limits of clouds with the names of their parameters.
+PointLimit max_points_per_object(const InputParameters& input);
+PointLimit max_points_per_cloud(const InputParameters& input);
 
 /// What the parameters say about tracks.
 rigidformer::TrackingOptions tracking_options(const NodeParameters& parameters);
