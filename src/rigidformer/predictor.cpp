@@ -87,6 +87,7 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
   if (!(options.engine_share <= 1.0)) {
     throw std::invalid_argument("engine_share is " + std::to_string(options.engine_share) + ", must be at most 1");
   }
+  use_vector_units();
   set_num_threads(options.num_threads);
   keep_freed_memory();
   device = select_device(options.device);

@@ -8,8 +8,8 @@
 namespace rigidformer {
 
 /// A physics engine on what the network sees: Bullet on the convex hulls of the clouds (see observed_hull.hpp) with the
-/// network's centres of mass [B, K, 3], to be called with the states of one rollout. Unknown mass: 1 kg per m^3 of the
-/// hull; unknown friction and restitution: the means of the MOVi scenes. Empty for models without engine_motion. Throws
+/// network's centres of mass [B, K, 3], to be called with the states of one rollout. Unknown material:
+/// the means of the MOVi scenes. Empty for models without engine_motion. Throws
 /// std::runtime_error when the model needs an engine and none was there at build time.
 EngineStep make_engine_step(const ModelOptions& options, const SceneBatch& batch, const Tensor& centre_reference);
 

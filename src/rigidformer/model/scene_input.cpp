@@ -12,6 +12,7 @@
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
 #include "rigidformer/geometry/surface_normals.hpp"
 #include "rigidformer/model/anchors.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 
 namespace rigidformer {
 namespace {

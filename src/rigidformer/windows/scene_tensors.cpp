@@ -10,6 +10,7 @@
 
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
 #include "rigidformer/geometry/surface_normals.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 #include "rigidformer/scene/surface_sampling.hpp"
 
 namespace rigidformer {
@@ -62,7 +63,8 @@ void store_object(SceneTensors& tensors, int64_t s, int64_t k, const RecordedObj
   tensors.size[s][k] = object.size;
   const BodyProperties& p = object.properties;
   tensors.properties[s][k] = torch::tensor(
-      {known_or(p.mass_kg, 1.0), known_or(p.friction, 0.5), known_or(p.restitution, 0.5)}, torch::kFloat32);
+      {known_or(p.mass_kg, kMeanMass), known_or(p.friction, kMeanFriction), known_or(p.restitution, kMeanRestitution)},
+      torch::kFloat32);
   const Tensor scene_poses = tensors.poses[s];
   auto poses = scene_poses.accessor<float, 3>();
   for (size_t frame = 0; frame < object.T_world_object.size(); ++frame) {

@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "rigidformer/data/scene_archive.hpp"
+#include "rigidformer/windows/options.hpp"
 
 namespace rigidformer {
 
 using torch::Tensor;
-
-/// How shapes become point sets.
-struct PointSetOptions {
-  int sets_per_shape = 24;   ///< Independent surface samplings per shape; set 0 holds the mesh vertices
-  int points_per_set = 512;  ///< Upper bound per set, in farthest-point order
-  std::uint64_t seed = 1;
-};
 
 /// All scenes of several archives as padded tensors on one device. S scenes, F frames, K objects, Q shapes, P sets,
 /// M points per set.

@@ -12,10 +12,10 @@
 
 namespace rigidformer_ros {
 
-/// The points of one label, in the order of the cloud. Rows that are not finite stay, as NaN.
+/// The points of one label, in the order of the cloud. A point that is not finite keeps its row, as NaN.
 struct LabelPoints {
-  std::uint32_t label = 0;
-  Points points;  ///< [N, 3] m
+  std::uint32_t label = 0;  ///< Value of the label field, 1 or more
+  Points points;            ///< Positions [N, 3] m
 };
 
 /// How a cloud says which object a point belongs to.
