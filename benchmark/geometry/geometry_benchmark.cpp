@@ -53,7 +53,7 @@ void distance_matrix(benchmark::State& state) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Points world = objects[i].T_world_current.apply(objects[i].points_reference);
     parts.push_back(torch::from_blob(world.data(), {world.rows(), 3}).clone());
-    owners.push_back(torch::full({world.rows()}, static_cast<int64_t>(i)));
+    owners.push_back(torch::full({world.rows()}, static_cast<std::int64_t>(i)));
   }
   const Tensor points = torch::cat(parts);
   const Tensor owner = torch::cat(owners);

@@ -24,7 +24,7 @@ TORCH_MODULE(CrossAttentionLayer);
 
 /// Per anchor: change of motion over the step (3), what the velocity at its end has beyond that (3), and the logit of
 /// the share that the engine's step has in both (1), each as far as the options ask for it.
-int64_t num_anchor_outputs(const ModelOptions& options);
+std::int64_t num_anchor_outputs(const ModelOptions& options);
 
 /// Anchor queries to outputs (§3.2, App. G): anchor state and pooled vertex features make a query, which reads the
 /// object tokens of several decoder outputs in parallel; the reads are fused and regressed.

@@ -22,7 +22,7 @@ struct GatedAttentionImpl : torch::nn::Module {
   /// Returns [B, T_query, D]. Rows of invalid queries are meaningless.
   Tensor forward(const TokenSet& query, const TokenSet& key);
 
-  int64_t num_heads, head_dim;
+  std::int64_t num_heads, head_dim;
   Linear to_query{nullptr}, to_key{nullptr}, to_value{nullptr}, to_gate{nullptr}, to_output{nullptr};
   RmsNorm query_norm{nullptr}, key_norm{nullptr};
   torch::nn::Dropout drop{nullptr};

@@ -51,9 +51,9 @@ struct SceneBatch {
   /// [B, K, N, 3] outward unit normals, estimated from the points; undefined where no model needs them.
   Tensor normals_reference;
 
-  int64_t num_scenes() const { return points_reference.size(0); }
-  int64_t max_objects() const { return points_reference.size(1); }
-  int64_t max_points() const { return points_reference.size(2); }
+  std::int64_t num_scenes() const { return points_reference.size(0); }
+  std::int64_t max_objects() const { return points_reference.size(1); }
+  std::int64_t max_points() const { return points_reference.size(2); }
 
   Tensor time_step() const;          ///< [B] s
   Tensor anchors_reference() const;  ///< [B, K, A, 3]

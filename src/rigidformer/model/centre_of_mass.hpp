@@ -15,7 +15,7 @@ Tensor bounding_radius(const Tensor& points, const Tensor& point_mask, const Ten
 
 /// The heads that estimate what an object is look at this many points of its cloud, the first in farthest-point order:
 /// the features they pool are then alike for clouds of any density.
-constexpr int64_t kShapePoints = 96;
+constexpr std::int64_t kShapePoints = 96;
 
 /// Estimates where the centre of mass lies inside a possibly partial cloud: a small PointNet on the cloud in units of
 /// its own radius, so that the estimate scales with the object. Beyond the paper, which needs complete clouds.

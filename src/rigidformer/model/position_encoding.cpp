@@ -10,9 +10,9 @@ namespace rigidformer {
 namespace {
 
 // Wavelengths from twice the MOVi arena down to a quarter of an object.
-constexpr double kLongestWavelength = 32.0;  // [m]
-constexpr double kShortestWavelength = 0.5;  // [m]
-constexpr int64_t kMaxIndexedObjects = 256;  // rows of the learned index embedding
+constexpr double kLongestWavelength = 32.0;       // [m]
+constexpr double kShortestWavelength = 0.5;       // [m]
+constexpr std::int64_t kMaxIndexedObjects = 256;  // rows of the learned index embedding
 
 Tensor masked_mean(const Tensor& points, const Tensor& mask) {
   const Tensor weight = mask.unsqueeze(-1).to(points.scalar_type());
@@ -46,8 +46,8 @@ Tensor sinusoidal(const Tensor& positions) {
 
 }  // namespace
 
-Tensor rotary_angles(const Tensor& positions, int64_t rotary_dim) {
-  const int64_t per_axis = rotary_dim / 6;  // frequencies per axis, each used for a pair of channels
+Tensor rotary_angles(const Tensor& positions, std::int64_t rotary_dim) {
+  const std::int64_t per_axis = rotary_dim / 6;  // frequencies per axis, each used for a pair of channels
   const Tensor exponent = torch::linspace(0.0, 1.0, per_axis, positions.options());
   const Tensor omega = 2.0 * M_PI / kLongestWavelength *
                        torch::pow(torch::full_like(exponent, kLongestWavelength / kShortestWavelength), exponent);
@@ -56,7 +56,7 @@ Tensor rotary_angles(const Tensor& positions, int64_t rotary_dim) {
 }
 
 Tensor apply_rotary(const Tensor& x, const Tensor& angles) {
-  const int64_t rotary_dim = angles.size(-1);
+  const std::int64_t rotary_dim = angles.size(-1);
   const Tensor rotated = x.slice(-1, 0, rotary_dim);
   const auto halves = rotated.unflatten(-1, {3, rotary_dim / 3}).chunk(2, -1);  // per axis: [first | second of pair]
   const Tensor swapped = torch::cat({-halves[1], halves[0]}, -1).flatten(-2);
@@ -66,7 +66,7 @@ Tensor apply_rotary(const Tensor& x, const Tensor& angles) {
 }
 
 TokenPositionEncoderImpl::TokenPositionEncoderImpl(const ModelOptions& model_options) : options(model_options) {
-  const int64_t D = options.embedding_dim;
+  const std::int64_t D = options.embedding_dim;
   switch (options.position_encoding) {
     case PositionEncoding::kArope:
     case PositionEncoding::kNone:

@@ -17,7 +17,7 @@ struct TokenPositions {
 
 /// psi_omega of Eq. (1): each coordinate of positions [..., 3] times log-spaced frequencies, doubled -> [...,
 /// rotary_dim].
-Tensor rotary_angles(const Tensor& positions, int64_t rotary_dim);
+Tensor rotary_angles(const Tensor& positions, std::int64_t rotary_dim);
 
 /// Rotates the first channels of x [B, H, T, head_dim] by angles [B, T, rotary_dim] (§3.3); the rest passes through.
 Tensor apply_rotary(const Tensor& x, const Tensor& angles);

@@ -20,7 +20,7 @@ Svd svd_on_cpu(const Tensor& H) {
   const Tensor dense = H.contiguous();
   Svd svd{torch::empty_like(dense), torch::empty(dense.sizes().slice(0, dense.dim() - 1), dense.options()),
           torch::empty_like(dense)};
-  for (int64_t i = 0; i < dense.numel() / 9; ++i) {
+  for (std::int64_t i = 0; i < dense.numel() / 9; ++i) {
     const RowMatrix matrix = Eigen::Map<const RowMatrix>(dense.data_ptr<Scalar>() + 9 * i);
     const Eigen::JacobiSVD<Eigen::Matrix<Scalar, 3, 3>> solver(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Map<RowMatrix>(svd.U.data_ptr<Scalar>() + 9 * i) = solver.matrixU();

@@ -180,8 +180,8 @@ SceneState advance(const SceneBatch& batch, const SceneState& state, const StepP
   return after;
 }
 
-int64_t count_parameters(const torch::nn::Module& module) {
-  int64_t count = 0;
+std::int64_t count_parameters(const torch::nn::Module& module) {
+  std::int64_t count = 0;
   for (const auto& parameter : module.parameters()) count += parameter.numel();
   return count;
 }

@@ -76,6 +76,6 @@ TORCH_MODULE(RigidFormer);
 SceneState advance(const SceneBatch& batch, const SceneState& state, const StepPrediction& prediction);
 
 /// Total number of trainable parameters.
-int64_t count_parameters(const torch::nn::Module& module);
+std::int64_t count_parameters(const torch::nn::Module& module);
 
 }  // namespace rigidformer

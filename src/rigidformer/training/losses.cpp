@@ -8,7 +8,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr int64_t kDirections = 64;
+constexpr std::int64_t kDirections = 64;
 
 /// Smooth L1 (Eq. 7) of a residual [B, K, *, 3]: summed over coordinates, mean over the rest for valid objects.
 Tensor smooth_l1(const Tensor& residual, const Tensor& object_mask, double beta) {

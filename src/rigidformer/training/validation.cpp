@@ -63,7 +63,7 @@ std::vector<RolloutScore> validate_rollouts(RigidFormer& model, const SceneTenso
                                             const ValidationOptions& options) {
   torch::NoGradGuard no_grad;
   model->eval();
-  const int num_scenes = static_cast<int>(std::min<int64_t>(max_scenes, tensors.num_scenes()));
+  const int num_scenes = static_cast<int>(std::min<std::int64_t>(max_scenes, tensors.num_scenes()));
   std::vector<RolloutScore> scores;
   for (const int start : options.start_frames) {
     Tensor sums = torch::zeros({4}, torch::kFloat64);

@@ -28,12 +28,12 @@ struct SceneTensors {
   Tensor estimated_normals;  ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
   Tensor shape_point_count;  ///< [Q, P] int64
 
-  int64_t num_scenes() const { return poses.size(0); }
-  int64_t num_frames() const { return poses.size(1); }
-  int64_t max_objects() const { return poses.size(2); }
+  std::int64_t num_scenes() const { return poses.size(0); }
+  std::int64_t num_frames() const { return poses.size(1); }
+  std::int64_t max_objects() const { return poses.size(2); }
 
   /// Number of objects of every scene.
-  std::vector<int64_t> object_counts() const;
+  std::vector<std::int64_t> object_counts() const;
 
   SceneTensors to(const torch::Device& device) const;
 };

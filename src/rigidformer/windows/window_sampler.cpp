@@ -25,8 +25,8 @@ void check_probability(double value, const std::string& name) {
 
 }  // namespace
 
-WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<int64_t> object_counts,
-                             int64_t num_frames)
+WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
+                             std::vector<std::int64_t> object_counts, std::int64_t num_frames)
     : options_(options),
       events_(std::move(events)),
       object_counts_(std::move(object_counts)),

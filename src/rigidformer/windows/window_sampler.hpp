@@ -22,8 +22,8 @@ struct Window {
 class WindowSampler {
  public:
   /// Throws std::invalid_argument naming the option at fault, or when scenes are too short.
-  WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<int64_t> object_counts,
-                int64_t num_frames);
+  WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<std::int64_t> object_counts,
+                std::int64_t num_frames);
 
   Window draw(int num_steps, std::mt19937_64& random) const;
 
@@ -38,7 +38,7 @@ class WindowSampler {
 
   WindowOptions options_;
   ContactEvents events_;
-  std::vector<int64_t> object_counts_;  ///< Per scene
+  std::vector<std::int64_t> object_counts_;  ///< Per scene
   int num_scenes_, num_frames_;
 };
 

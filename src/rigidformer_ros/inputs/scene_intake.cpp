@@ -39,7 +39,8 @@ void require_near_origin(const Eigen::Vector3d& position, const std::string& fix
 void require_near_origin(const Points& points_world, const std::string& fixed_frame) {
   const std::vector<int> rows = rigidformer::finite_rows(points_world);
   if (!rows.empty()) {
-    require_near_origin(points_world.row(rows[rows.size() / 2]).cast<double>().transpose(), fixed_frame);
+    const Eigen::Vector3d one_of_them = points_world.row(rows[rows.size() / 2]).cast<double>().transpose();
+    require_near_origin(one_of_them, fixed_frame);
   }
 }
 

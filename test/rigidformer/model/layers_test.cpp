@@ -150,7 +150,7 @@ TEST_F(LayersTest, GatedAttentionFollowsItsFormula) {
   const Tensor k_all = torch::matmul(key, attention->to_key->weight.t());
   const Tensor v_all = torch::matmul(key, attention->to_value->weight.t());
   std::vector<Tensor> heads;
-  for (int64_t head = 0; head < 2; ++head) {
+  for (std::int64_t head = 0; head < 2; ++head) {
     const auto part = [&](const Tensor& x) { return x.slice(-1, 8 * head, 8 * head + 8)[0]; };
     const Tensor q = attention->query_norm(part(q_all)), k = attention->key_norm(part(k_all));
     heads.push_back(torch::matmul(torch::softmax(torch::matmul(q, k.t()) / std::sqrt(8.0), -1), part(v_all)));
@@ -178,7 +178,7 @@ TEST_F(LayersTest, AnchorVertexPoolingFollowsEquation3InAnyVertexOrder) {
   const Tensor anchors = points.slice(2, 0, 2), mask = torch::ones({1, 1, 6}, torch::kBool);
   const double sigma = std::exp(pooling->log_sigma.item<double>());
   std::vector<Tensor> pooled;
-  for (int64_t k = 0; k < 2; ++k) {
+  for (std::int64_t k = 0; k < 2; ++k) {
     const Tensor w = torch::exp(-(points[0][0] - anchors[0][0][k]).norm(2, -1) / sigma);
     pooled.push_back((w.unsqueeze(-1) * f[0][0]).sum(0) / w.sum());
   }
@@ -193,17 +193,17 @@ TEST_F(LayersTest, AnchorVertexPoolingFollowsEquation3InAnyVertexOrder) {
 
 TEST_F(LayersTest, EncoderLevelsPoolPrefixesOfTheFarthestPointOrder) {
   const ModelOptions options = miniature();
-  const int64_t N = 16, E = 5;
+  const std::int64_t N = 16, E = 5;
   const Tensor h = torch::randn({1, 1, N, num_vertex_features(options)}, torch::kFloat64);
   const Tensor mask = torch::ones({1, 1, N}, torch::kBool);
-  const int64_t pooled_points[] = {16, 8, 4, 2};
-  for (int64_t level = 0; level < 4; ++level) {
+  const std::int64_t pooled_points[] = {16, 8, 4, 2};
+  for (std::int64_t level = 0; level < 4; ++level) {
     PointEncoder encoder = prepared(PointEncoder(options));
     torch::NoGradGuard no_grad;
     const Tensor kept = encoder->fuse->first->weight.slice(1, level * E, level * E + E).clone();
     encoder->fuse->first->weight.zero_().slice(1, level * E, level * E + E).copy_(kept);
     const Tensor before = encoder(h, mask).tokens;
-    for (int64_t i = 0; i < N; ++i) {
+    for (std::int64_t i = 0; i < N; ++i) {
       Tensor changed = h.clone();
       changed[0][0][i] = 100.0 * encoder->backbone[0]->as<Linear>()->weight[0];  // the largest in channel 0
       const bool reaches = largest_difference(encoder(changed, mask).tokens, before) > 0.0;

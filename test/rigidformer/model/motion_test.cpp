@@ -40,7 +40,7 @@ struct Spheres {
   Tensor radius;
 
   Spheres(const Tensor& centre, const Tensor& step, double ground = kNoGround, double sphere_radius = 0.5) {
-    const int64_t K = centre.size(0);
+    const std::int64_t K = centre.size(0);
     batch.points_reference = torch::zeros({1, K, 1, 3}, kWide);
     batch.object_mask = torch::ones({1, K}, torch::kBool);
     batch.ground_height = torch::full({1}, ground, kWide);
@@ -52,7 +52,7 @@ struct Spheres {
   std::vector<bool> gate(double margin) const {
     const Tensor open = contact_gate(batch, base, radius, margin)[0];
     std::vector<bool> values;
-    for (int64_t k = 0; k < open.size(0); ++k) values.push_back(open[k].item<bool>());
+    for (std::int64_t k = 0; k < open.size(0); ++k) values.push_back(open[k].item<bool>());
     return values;
   }
 };
@@ -201,15 +201,15 @@ TEST(NearestByDistanceMatrix, MatchesBruteForce) {
   const Tensor x = scene.state.current.apply(scene.batch.points_reference);
   const Nearest nearest = nearest_by_distance_matrix(scene.batch, scene.state.current, x);
   const Tensor flat = x.flatten(1, 2), mask = scene.batch.point_mask.flatten(1, 2);
-  const int64_t K = 3, N = scene.batch.max_points();
-  for (int64_t b = 0; b < 3; ++b) {
-    for (int64_t i = 0; i < K * N; ++i) {
+  const std::int64_t K = 3, N = scene.batch.max_points();
+  for (std::int64_t b = 0; b < 3; ++b) {
+    for (std::int64_t i = 0; i < K * N; ++i) {
       const Tensor distance = (flat[b] - flat[b][i]).norm(2, -1);
       const Tensor allowed = mask[b].logical_and(torch::arange(K * N, torch::kInt64).floor_divide(N) != i / N);
       const bool expected = mask[b][i].item<bool>() && allowed.any().item<bool>();
       ASSERT_EQ(nearest.found.flatten(1, 2)[b][i].item<bool>(), expected);
       if (!expected) continue;
-      const int64_t index = nearest.index.flatten(1, 2)[b][i].item<int64_t>();
+      const std::int64_t index = nearest.index.flatten(1, 2)[b][i].item<std::int64_t>();
       ASSERT_TRUE(allowed[index].item<bool>());
       EXPECT_NEAR(distance[index].item<double>(), distance.masked_select(allowed).min().item<double>(), 1e-5);
     }
@@ -229,7 +229,7 @@ TEST(VertexFeatures, PaperFormHasTwelveChannels) {
   EXPECT_LT(largest_difference(h.slice(-1, 6, 9), x - scene.state.first.apply(points)), 1e-12);
   EXPECT_LT(largest_difference(h.slice(-1, 9), scene.batch.properties.unsqueeze(2).expand({1, 2, 8, 3})), 1e-12);
   const Tensor distance = torch::cdist(x[0][0], x[0][1], 2, 2);
-  for (int64_t i = 0; i < 8; ++i) {
+  for (std::int64_t i = 0; i < 8; ++i) {
     const double to_object = distance[i].min().item<double>(), height = x[0][0][i][2].item<double>();
     const Tensor d = h[0][0][i].slice(0, 0, 3);
     EXPECT_NEAR(d.norm().item<double>(), std::min(to_object, std::abs(height)), 1e-9);

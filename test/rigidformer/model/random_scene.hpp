@@ -56,13 +56,13 @@ inline Pose nudged(const Pose& pose) {
 
 /// Random clouds close to each other and to the ground. `points[b][k]` is the number of points of object k in scene b;
 /// shorter scenes and clouds are padded with zeros. Reseeds torch.
-inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vector<int64_t>>& points,
+inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vector<std::int64_t>>& points,
                                 int num_anchors = 4, int control_dim = 0, torch::ScalarType type = torch::kFloat64) {
   torch::manual_seed(seed);
-  const auto B = static_cast<int64_t>(points.size());
-  int64_t K = 0, N = 0;
+  const auto B = static_cast<std::int64_t>(points.size());
+  std::int64_t K = 0, N = 0;
   for (const auto& row : points) {
-    K = std::max(K, static_cast<int64_t>(row.size()));
+    K = std::max(K, static_cast<std::int64_t>(row.size()));
     N = std::max(N, *std::max_element(row.begin(), row.end()));
   }
   RandomScene scene;
@@ -70,10 +70,10 @@ inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vecto
   const auto like = torch::TensorOptions(torch::kFloat64);
   b.point_mask = torch::zeros({B, K, N}, torch::kBool);
   b.anchor_index = torch::zeros({B, K, num_anchors}, torch::kInt64);
-  for (int64_t i = 0; i < B; ++i) {
+  for (std::int64_t i = 0; i < B; ++i) {
     const auto& row = points[static_cast<size_t>(i)];
-    for (int64_t k = 0; k < static_cast<int64_t>(row.size()); ++k) {
-      const int64_t count = row[static_cast<size_t>(k)];
+    for (std::int64_t k = 0; k < static_cast<std::int64_t>(row.size()); ++k) {
+      const std::int64_t count = row[static_cast<size_t>(k)];
       b.point_mask[i][k].slice(0, 0, count).fill_(true);
       b.anchor_index[i][k].copy_(torch::randperm(count, torch::kInt64).slice(0, 0, num_anchors));
     }

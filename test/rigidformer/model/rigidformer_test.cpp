@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSameToRounding = 1e-9;  // float64, other order of summation
 constexpr double kVisible = 1e-4;         // a difference that a broken property would show
-const std::vector<std::vector<int64_t>> kMixedScenes = {{20, 9, 16}, {12, 17}};
+const std::vector<std::vector<std::int64_t>> kMixedScenes = {{20, 9, 16}, {12, 17}};
 
 RandomScene reordered_objects(RandomScene scene, const Tensor& order) {
   for_each_object_tensor(scene, [&](Tensor& tensor) { tensor = tensor.index_select(1, order); });
@@ -29,7 +29,7 @@ RandomScene reordered_points(RandomScene scene) {
 }
 
 /// More rows of points and objects, filled with values that must not matter.
-RandomScene padded(RandomScene scene, int64_t more_objects, int64_t more_points) {
+RandomScene padded(RandomScene scene, std::int64_t more_objects, std::int64_t more_points) {
   SceneBatch& b = scene.batch;
   for (Tensor* rows : {&b.points_reference, &b.normals_reference}) {
     *rows = torch::constant_pad_nd(*rows, {0, 0, 0, more_points, 0, more_objects}, 7.5);
@@ -42,7 +42,7 @@ RandomScene padded(RandomScene scene, int64_t more_objects, int64_t more_points)
   }
   for (Pose* pose : {&scene.state.first, &scene.state.previous, &scene.state.current}) {
     const Tensor identity = torch::eye(3, pose->rotation.options());
-    const int64_t B = b.points_reference.size(0);
+    const std::int64_t B = b.points_reference.size(0);
     pose->rotation = torch::cat({pose->rotation, identity.expand({B, more_objects, 3, 3})}, 1);
     pose->translation = torch::constant_pad_nd(pose->translation, {0, 0, 0, more_objects}, 0.5);
   }
@@ -50,9 +50,9 @@ RandomScene padded(RandomScene scene, int64_t more_objects, int64_t more_points)
 }
 
 /// Scene `i` of a batch alone, without its padding.
-RandomScene alone(RandomScene scene, int64_t i) {
-  const int64_t K = scene.batch.object_mask[i].sum().item<int64_t>();
-  const int64_t N = scene.batch.point_mask[i].sum(-1).max().item<int64_t>();
+RandomScene alone(RandomScene scene, std::int64_t i) {
+  const std::int64_t K = scene.batch.object_mask[i].sum().item<std::int64_t>();
+  const std::int64_t N = scene.batch.point_mask[i].sum(-1).max().item<std::int64_t>();
   for_each_object_tensor(scene, [&](Tensor& tensor) { tensor = tensor.slice(0, i, i + 1).slice(1, 0, K); });
   for_each_scene_tensor(scene, [&](Tensor& tensor) { tensor = tensor.slice(0, i, i + 1); });
   scene.batch.points_reference = scene.batch.points_reference.slice(2, 0, N);
@@ -180,9 +180,9 @@ TEST(RigidFormerTest, BatchAndOneByOneAgree) {
   for (const ModelOptions& options : tiny_variants()) {
     RigidFormer model = random_model(options);
     const StepPrediction together = predict(model, scene);
-    for (int64_t i = 0; i < 3; ++i) {
+    for (std::int64_t i = 0; i < 3; ++i) {
       StepPrediction expected = together;
-      const int64_t K = scene.batch.object_mask[i].sum().item<int64_t>();
+      const std::int64_t K = scene.batch.object_mask[i].sum().item<std::int64_t>();
       for (Tensor* tensor : parts_of(expected)) {
         *tensor = tensor->slice(0, i, i + 1).slice(1, 0, K);
       }

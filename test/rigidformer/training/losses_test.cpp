@@ -15,7 +15,8 @@ struct Miss {
   StepPrediction prediction;
   Pose truth;
 
-  explicit Miss(int num_objects) : scene(random_scene(1, {std::vector<int64_t>(static_cast<size_t>(num_objects), 6)})) {
+  explicit Miss(int num_objects)
+      : scene(random_scene(1, {std::vector<std::int64_t>(static_cast<size_t>(num_objects), 6)})) {
     scene.batch.step_size.fill_(120.0);
     truth = scene.state.current;
     const Tensor raw = torch::tensor({0.5, 0.0, 0.0}, torch::kFloat64), rigid = raw.roll(1) * 4.0;

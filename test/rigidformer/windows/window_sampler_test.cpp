@@ -129,12 +129,12 @@ TEST(WindowSamplerTest, BatchesFollowFromSeedAndIteration) {
 }
 
 TEST(WindowSamplerTest, BatchesHoldScenesOfSimilarSize) {
-  const std::vector<int64_t> counts = {3, 1, 4, 2};
+  const std::vector<std::int64_t> counts = {3, 1, 4, 2};
   const WindowSampler draws = sampler({});
   double spread_in_batches = 0.0;
   std::set<int> scenes;
   for (std::int64_t iteration = 0; iteration < 40; ++iteration) {
-    int64_t least = 99, most = 0;
+    std::int64_t least = 99, most = 0;
     for (const Window& window : draws.draw_batch(10, 1, 5, iteration)) {
       scenes.insert(window.scene);
       least = std::min(least, counts[static_cast<size_t>(window.scene)]);
