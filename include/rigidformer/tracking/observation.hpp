@@ -18,6 +18,7 @@ namespace rigidformer {
 struct ObjectObservation {
   std::string id;
   Stamp stamp;
+  Stamp arrival;        ///< When it came, by the clock of the receiver; zero = at its stamp
   Points points_world;  ///< [N, 3] m
   MotionMode mode = MotionMode::kDynamic;
   BodyProperties properties;
@@ -51,6 +52,7 @@ struct ObservedScene {
   double time_step_s = 0.0;
   std::vector<ObservedObject> objects;
   std::vector<SkippedObject> skipped;
+  std::string clock_remark;  ///< What is wrong with the clocks of the sensors; empty = nothing
 };
 
 /// Where the object of one track was seen.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rigidformer/tracking/observation.hpp"
 #include "rigidformer/tracking/options.hpp"
@@ -14,20 +15,24 @@
 namespace rigidformer {
 
 struct CloudRegistration;
+struct Sighting;
+enum class Presence;
 
 /// What became of an observation.
 enum class AddResult {
   kExtended,       ///< It continued its track.
   kLowQuality,     ///< It continued its track, but the cloud fits no pose well.
   kNewTrack,       ///< It began a track.
+  /// It began a track, because the last cloud of its object is too long ago to tell a velocity.
+  kNewTrackAfterGap,
   kTimeRestarted,  ///< Its stamp lies far in the past: everything was cleared, and it began a track.
   kLate,           ///< It is slightly older than the newest one and was dropped.
   kTooFewPoints,   ///< It has too few points and was dropped.
   kNoPose,         ///< It has no pose although correspondence is by pose, and was dropped.
 };
 
-/// Keeps one track per object id: a reference cloud and the poses since the track began. Stamps are
-/// the only clock. Not thread safe.
+/// Keeps one track per object id: a reference cloud and the poses since the track began. Stamps and arrivals of the
+/// observations are the only clocks. Not thread safe.
 class TrackStore {
  public:
   explicit TrackStore(const TrackingOptions& options);
@@ -41,6 +46,9 @@ class TrackStore {
   ObservedScene snapshot(double time_step_s) const;
 
   TrackRecords records() const;
+
+  /// Stamp of the newest cloud of an object; empty = it is not tracked.
+  std::optional<Stamp> newest_stamp_of(const std::string& id) const;
 
   void clear();
   bool empty() const { return tracks_.empty(); }
@@ -58,8 +66,9 @@ class TrackStore {
   bool is_too_fast(const Track& track, Stamp stamp, const RigidTransform& T_world_object) const;
   void forget_unseen();
   bool is_ordered() const { return options_.correspondence.method == Correspondence::kOrdered; }
-  Stamp newest_stamp() const;
-  Stamp common_stamp(Stamp newest) const;
+  std::vector<Sighting> sightings() const;
+  Stamp newest_arrival() const;
+  void add_moving(ObservedScene& scene, const std::string& id, const Track& track, Presence presence) const;
   ObservedObject observe(const std::string& id, const Track& track, Stamp stamp, double time_step_s) const;
 
   TrackingOptions options_;

@@ -10,6 +10,7 @@
 #include "rigidformer/geometry/rigid_registration.hpp"
 #include "rigidformer/tracking/cloud_registration.hpp"
 #include "rigidformer/tracking/cloud_tracker.hpp"
+#include "rigidformer/tracking/scene_instant.hpp"
 
 namespace rigidformer {
 
@@ -20,6 +21,10 @@ RegistrationQuality measure(const RigidTransform& T, const Points& reference, co
   const auto inliers = (residuals.array() <= inlier_m).count();
   return {std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
           static_cast<double>(inliers) / static_cast<double>(residuals.size())};
+}
+
+Stamp arrival_of(const ObjectObservation& observation) {
+  return observation.arrival == Stamp() ? observation.stamp : observation.arrival;
 }
 
 std::vector<int> common_rows(const std::vector<int>& a, const std::vector<int>& b) {
@@ -37,6 +42,7 @@ struct TrackStore::Track {
   std::optional<CloudTracker> tracker;  ///< With the other ways of correspondence: follows the clouds
   bool frame_is_given = false;          ///< The object frame is that of the given poses
   PoseHistory poses;
+  Stamp arrival;  ///< When the newest cloud came
   RegistrationQuality quality;
   bool low_quality = false;
   MotionMode mode = MotionMode::kDynamic;
@@ -94,6 +100,7 @@ AddResult TrackStore::begin_track(const ObjectObservation& observation, const st
     track.tracker.emplace(seen, T_world_object, options_.correspondence);
   }
   track.poses.add(observation.stamp, T_world_object, options_.history.min_dt);
+  track.arrival = arrival_of(observation);
   tracks_[observation.id] = std::make_unique<Track>(std::move(track));
   forget_unseen();
   return AddResult::kNewTrack;
@@ -106,6 +113,7 @@ AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observ
     return begin_track(observation, seen_rows);
   }
   track.poses.add(observation.stamp, found->T_world_object, options_.history.min_dt);
+  track.arrival = arrival_of(observation);
   track.quality = found->quality;
   track.low_quality = !found->objection.empty() || found->may_have_slid;
   track.mode = observation.mode;
@@ -165,34 +173,27 @@ double TrackStore::seconds_since(const Track& track, Stamp stamp) const {
   return std::max(seconds_between(track.poses.newest_stamp(), stamp), options_.history.min_dt);
 }
 
-// Static objects may be seen only once (a latched table), so that they stay until clear().
+// Static objects may be seen only once (a latched table): they stay until clear(). Arrivals are compared, not stamps: a
+// sensor whose clock is ahead must not make the objects of the others look old.
 void TrackStore::forget_unseen() {
-  const Stamp newest = newest_stamp();
+  Stamp newest;
+  for (const auto& [id, track] : tracks_) {
+    newest = std::max(newest, track->arrival);
+  }
   for (auto it = tracks_.begin(); it != tracks_.end();) {
-    const bool expired = !it->second->is_static() &&
-                         seconds_between(it->second->poses.newest_stamp(), newest) > options_.history.object_timeout;
+    const bool expired =
+        !it->second->is_static() && seconds_between(it->second->arrival, newest) > options_.history.object_timeout;
     it = expired ? tracks_.erase(it) : std::next(it);
   }
 }
 
-Stamp TrackStore::newest_stamp() const {
-  Stamp newest;
+// The newest clouds of the objects that move, or those of the static ones where nothing moves.
+std::vector<Sighting> TrackStore::sightings() const {
+  std::vector<Sighting> moving, standing;
   for (const auto& [id, track] : tracks_) {
-    newest = std::max(newest, track->poses.newest_stamp());
+    (track->is_static() ? standing : moving).push_back({id, track->poses.newest_stamp(), track->arrival});
   }
-  return newest;
-}
-
-// Objects arrive one after another: the scene is taken at the instant of the slowest, so that none is extrapolated.
-Stamp TrackStore::common_stamp(Stamp newest) const {
-  Stamp common = newest;
-  for (const auto& [id, track] : tracks_) {
-    const Stamp stamp = track->poses.newest_stamp();
-    if (!track->is_static() && seconds_between(stamp, newest) <= options_.sync_window_s) {
-      common = std::min(common, stamp);
-    }
-  }
-  return common;
+  return moving.empty() ? standing : moving;
 }
 
 ObservedScene TrackStore::snapshot(double time_step_s) const {
@@ -201,25 +202,49 @@ ObservedScene TrackStore::snapshot(double time_step_s) const {
   if (tracks_.empty()) {
     return scene;
   }
-  Stamp newest;
+  const std::vector<Sighting> seen = sightings();
+  const SceneInstant instant = choose_instant(seen, options_.sync_window_s);
+  scene.stamp = instant.stamp;
+  scene.clock_remark = instant.clock_remark;
+  std::size_t next = 0;
   for (const auto& [id, track] : tracks_) {
-    if (!track->is_static()) {
-      newest = std::max(newest, track->poses.newest_stamp());
-    }
-  }
-  newest = newest == Stamp() ? newest_stamp() : newest;
-  scene.stamp = common_stamp(newest);
-  for (const auto& [id, track] : tracks_) {
-    const double behind = seconds_between(track->poses.newest_stamp(), newest);
-    if (!track->is_static() && behind > options_.sync_window_s) {
-      scene.skipped.push_back({id, "not seen for " + std::to_string(behind) + " s"});
-    } else if (!track->is_static() && !track->poses.pose_at(scene.stamp)) {
-      scene.skipped.push_back({id, "seen for the first time after the other objects"});
-    } else {
+    if (track->is_static()) {
       scene.objects.push_back(observe(id, *track, scene.stamp, time_step_s));
+    } else {
+      add_moving(scene, id, *track, instant.presence[next++]);
     }
   }
   return scene;
+}
+
+void TrackStore::add_moving(ObservedScene& scene, const std::string& id, const Track& track, Presence presence) const {
+  if (presence == Presence::kUnseen) {
+    const double unseen_s = seconds_between(track.arrival, newest_arrival());
+    scene.skipped.push_back({id, "not seen for " + std::to_string(unseen_s) + " s (input/sync_window is " +
+                                     std::to_string(options_.sync_window_s) + " s)"});
+  } else if (presence == Presence::kOwnClock) {
+    scene.objects.push_back(observe(id, track, track.poses.newest_stamp(), scene.time_step_s));
+    scene.objects.back().low_quality = true;
+  } else if (!track.poses.pose_at(scene.stamp)) {
+    scene.skipped.push_back({id, "seen for the first time after the other objects"});
+  } else {
+    scene.objects.push_back(observe(id, track, scene.stamp, scene.time_step_s));
+  }
+}
+
+Stamp TrackStore::newest_arrival() const {
+  Stamp newest;
+  for (const auto& [id, track] : tracks_) {
+    if (!track->is_static()) {
+      newest = std::max(newest, track->arrival);
+    }
+  }
+  return newest;
+}
+
+std::optional<Stamp> TrackStore::newest_stamp_of(const std::string& id) const {
+  const auto found = tracks_.find(id);
+  return found == tracks_.end() ? std::nullopt : std::optional(found->second->poses.newest_stamp());
 }
 
 TrackRecords TrackStore::records() const {

@@ -4,6 +4,9 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
+#include <sstream>
+
 namespace rigidformer_ros {
 
 using rigidformer::AddResult;
@@ -11,7 +14,8 @@ using rigidformer::AddResult;
 LiveScene::LiveScene(const NodeParameters& parameters, RejectionLog& rejections)
     : rejections_(rejections),
       gate_(parameters.max_stamp_skew, parameters.history.jump_threshold),
-      tracks_(tracking_options(parameters)) {}
+      tracks_(tracking_options(parameters)),
+      max_dt_s_(parameters.history.max_dt) {}
 
 bool LiveScene::accepts(const std::string& id, const ros::Time& stamp, const ros::Time& now) {
   watch_clock(now);
@@ -25,6 +29,8 @@ bool LiveScene::accepts(const std::string& id, const ros::Time& stamp, const ros
 
 void LiveScene::add(const ObjectObservation& observation) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  newest_arrival_ = std::max(newest_arrival_, observation.arrival);
+  const auto before = tracks_.newest_stamp_of(observation.id);
   switch (tracks_.add(observation)) {
     case AddResult::kLate:
       rejections_.add("late cloud", "'" + observation.id + "': older than the newest one of its object");
@@ -36,7 +42,10 @@ void LiveScene::add(const ObjectObservation& observation) {
       rejections_.add("no pose", "'" + observation.id + "': correspondence/method is pose, but no pose came with it");
       break;
     case AddResult::kLowQuality:
-      rejections_.add("cloud that fits no pose well", "'" + observation.id + "': forecast with status LOW_QUALITY");
+      rejections_.note("cloud that fits no pose well", "'" + observation.id + "': forecast with status LOW_QUALITY");
+      break;
+    case AddResult::kNewTrackAfterGap:
+      rejections_.note("gap between clouds", describe_gap(observation, *before));
       break;
     case AddResult::kTimeRestarted:
       ++epoch_;
@@ -47,10 +56,23 @@ void LiveScene::add(const ObjectObservation& observation) {
   }
 }
 
+std::string LiveScene::describe_gap(const ObjectObservation& observation, rigidformer::Stamp before) const {
+  std::ostringstream text;
+  text << "clouds of '" << observation.id << "' came " << rigidformer::seconds_between(before, observation.stamp)
+       << " s apart, history/max_dt is " << max_dt_s_ << " s: its track began anew and its velocity is not known";
+  return text.str();
+}
+
+bool LiveScene::is_fed(rigidformer::Stamp now, double timeout_s) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return rigidformer::seconds_between(newest_arrival_, now) <= timeout_s;
+}
+
 void LiveScene::watch_clock(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (gate_.clock_restarted(now)) {
     tracks_.clear();
+    newest_arrival_ = {};
     ++epoch_;
     ROS_INFO_STREAM("The clock jumped back to " << now.toSec() << " s: all tracks were cleared.");
   }

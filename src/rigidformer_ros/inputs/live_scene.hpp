@@ -31,6 +31,9 @@ class LiveScene {
   /// Gives an observation to the tracks. If they refuse it, a rejection is counted.
   void add(const ObjectObservation& observation);
 
+  /// Whether a cloud has come within the last `timeout_s`, however old it was then.
+  bool is_fed(rigidformer::Stamp now, double timeout_s) const;
+
   /// Forgets everything when the clock has jumped back since the last call.
   void watch_clock(const ros::Time& now);
 
@@ -47,10 +50,14 @@ class LiveScene {
   std::uint64_t epoch() const;
 
  private:
+  std::string describe_gap(const ObjectObservation& observation, rigidformer::Stamp before) const;
+
   RejectionLog& rejections_;
   mutable std::mutex mutex_;
   StampGate gate_;
   rigidformer::TrackStore tracks_;
+  double max_dt_s_;
+  rigidformer::Stamp newest_arrival_;
   std::uint64_t epoch_ = 0;
 };
 

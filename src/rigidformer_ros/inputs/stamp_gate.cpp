@@ -7,6 +7,29 @@
 
 namespace rigidformer_ros {
 
+namespace {
+
+constexpr double kFirstWallClock = 1e9;  // [s] 2001: smaller stamps count from the start of a device or a simulation
+constexpr double kLargestDrift =
+    3600.0;  // [s] chosen by eye: clocks that nobody sets differ by less, recordings by more
+
+// What to look at first. A difference alone does not tell a recording from a clock that is wrong; its size does mostly.
+const char* likely_cause(const ros::Time& stamp, const ros::Time& now) {
+  const double ahead = (stamp - now).toSec();
+  if (now.toSec() < kFirstWallClock) {
+    return ahead > kLargestDrift ? "wall-clock stamps under simulated time" : "a leftover from before a clock restart?";
+  }
+  if (stamp.toSec() < kFirstWallClock) {
+    return "the sensor stamps by a clock of its own that counts from its start; its driver must stamp by ROS time";
+  }
+  if (ahead > 0 || ahead > -kLargestDrift) {
+    return "the clocks of sensor and node differ; synchronise them, or the cloud took that long to come";
+  }
+  return "recorded data need use_sim_time and rosbag play --clock; else the sensor's clock is not set";
+}
+
+}  // namespace
+
 bool StampGate::clock_restarted(const ros::Time& now) {
   const bool restarted = (now - last_now_).toSec() < -jump_threshold_s_;
   has_restarted_ = has_restarted_ || restarted;
@@ -26,11 +49,11 @@ std::optional<std::string> StampGate::objection(const ros::Time& stamp, const ro
   if (ahead <= future_limit && ahead >= -max_stamp_skew_s_) {
     return std::nullopt;
   }
-  char text[200];
-  std::snprintf(text, sizeof(text), "stamp %.3f s lies %.3f s %s the clock %.3f s (%s)", stamp.toSec(),
+  char text[300];
+  std::snprintf(text, sizeof(text), "stamp %.3f s lies %.3f s %s the clock %.3f s, %s is %.3g s: %s", stamp.toSec(),
                 ahead > 0 ? ahead : -ahead, ahead > 0 ? "ahead of" : "behind", now.toSec(),
-                ahead > 0 ? "wall-clock stamps under simulated time, or a leftover from before a clock restart"
-                          : "old data: playing a bag needs use_sim_time and --clock");
+                future_limit < max_stamp_skew_s_ && ahead > 0 ? "history/jump_threshold" : "max_stamp_skew",
+                ahead > 0 ? future_limit : max_stamp_skew_s_, likely_cause(stamp, now));
   return std::string(text);
 }
 

@@ -99,9 +99,12 @@ void ForecastLoop::forecast_newest_scene() {
   report_ready_once();
   ObservedScene scene = newest_scene(context_.live_scene, context_.forecaster, parameters_.predict.time_step);
   context_.input.scene_seen(scene.objects.size(), scene.skipped.size());
-  const bool outdated =
-      rigidformer::seconds_between(scene.stamp, to_stamp(ros::Time::now())) > parameters_.history.object_timeout;
-  if (scene.objects.empty() || outdated) {
+  if (!scene.clock_remark.empty()) {
+    context_.rejections.note("clocks that differ", scene.clock_remark);
+  }
+  // What matters is whether clouds still come: a slow segmentation delivers them late, but steadily.
+  const bool fed = context_.live_scene.is_fed(to_stamp(ros::Time::now()), parameters_.history.object_timeout);
+  if (scene.objects.empty() || !fed) {
     publisher_.clear();
     last_size_ = 0;
     return;

@@ -107,7 +107,7 @@ std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std:
   std::vector<ObjectObservation> objects;
   for (std::size_t i = 0; i < clouds.ids.size(); ++i) {
     try {
-      objects.push_back(read_object(clouds, i, static_cast<std::uint64_t>(parameters.input.max_points), T_fixed_cloud));
+      objects.push_back(read_object(clouds, i, max_points_per_object(parameters.input), T_fixed_cloud));
       resolve_properties(parameters.properties, objects.back());
     } catch (const std::invalid_argument& error) {
       reject(field + " object " + std::to_string(i) + " '" + clouds.ids[i] + "': " + error.what());
