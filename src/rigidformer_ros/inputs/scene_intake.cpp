@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "rigidformer/geometry/point_rows.hpp"
 #include "rigidformer_ros/inputs/frame_transformer.hpp"
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 #include "rigidformer_ros/messages/invalid_points.hpp"
 #include "rigidformer_ros/messages/labelled_cloud.hpp"
+#include "rigidformer_ros/messages/near_origin.hpp"
 #include "rigidformer_ros/messages/object_clouds.hpp"
 
 namespace rigidformer_ros {
@@ -21,28 +21,6 @@ namespace rigidformer_ros {
 namespace {
 
 using rigidformer::MotionMode;
-
-// Beyond it, single precision no longer resolves the millimetre that tracking needs: 2^-24 of 10 km is 0.6 mm.
-constexpr double kFarthestFromOrigin_m = 10000.0;
-
-void require_near_origin(const Eigen::Vector3d& position, const std::string& fixed_frame) {
-  if (position.norm() > kFarthestFromOrigin_m) {
-    std::ostringstream text;
-    text << "lies at (" << position.transpose() << ") m of '" << fixed_frame << "', farther than "
-         << kFarthestFromOrigin_m
-         << " m from its origin, where single precision no longer resolves millimetres; choose "
-         << "a fixed_frame near the robot, such as odom, or base_link with z up";
-    throw std::invalid_argument(text.str());
-  }
-}
-
-void require_near_origin(const Points& points_world, const std::string& fixed_frame) {
-  const std::vector<int> rows = rigidformer::finite_rows(points_world);
-  if (!rows.empty()) {
-    const Eigen::Vector3d one_of_them = points_world.row(rows[rows.size() / 2]).cast<double>().transpose();
-    require_near_origin(one_of_them, fixed_frame);
-  }
-}
 
 }  // namespace
 

@@ -9,23 +9,32 @@ namespace rigidformer_ros {
 
 namespace {
 
-constexpr double kFirstWallClock = 1e9;  // [s] 2001: smaller stamps count from the start of a device or a simulation
-constexpr double kLargestDrift =
-    3600.0;  // [s] chosen by eye: clocks that nobody sets differ by less, recordings by more
+// [s] 2001. Smaller stamps count from the start of a device, a simulation or a bag.
+constexpr double kFirstWallClock = 1e9;
+// [s] Clocks that nobody sets differ by less, recordings by more. Chosen by eye.
+constexpr double kLargestDrift = 3600.0;
 
-// What to look at first. A difference alone does not tell a recording from a clock that is wrong; its size does mostly.
+const char* likely_cause_under_simulated_time(double ahead_s) {
+  if (ahead_s > kLargestDrift) {
+    return "wall-clock stamps under simulated time";
+  }
+  return ahead_s > 0.0 ? "a leftover from before a clock restart" : "old data; rosbag play needs --clock";
+}
+
+// Tells what to look at first. The difference alone cannot tell a recording from a wrong clock, but its size mostly
+// can.
 const char* likely_cause(const ros::Time& stamp, const ros::Time& now) {
-  const double ahead = (stamp - now).toSec();
+  const double ahead_s = (stamp - now).toSec();
   if (now.toSec() < kFirstWallClock) {
-    return ahead > kLargestDrift ? "wall-clock stamps under simulated time" : "a leftover from before a clock restart?";
+    return likely_cause_under_simulated_time(ahead_s);
   }
   if (stamp.toSec() < kFirstWallClock) {
-    return "the sensor stamps by a clock of its own that counts from its start; its driver must stamp by ROS time";
+    return "the sensor stamps by a clock of its own, which counts from its start; its driver must stamp by ROS time";
   }
-  if (ahead > 0 || ahead > -kLargestDrift) {
-    return "the clocks of sensor and node differ; synchronise them, or the cloud took that long to come";
+  if (ahead_s > -kLargestDrift) {
+    return "the clocks of sensor and node differ, or the cloud took that long to come";
   }
-  return "recorded data need use_sim_time and rosbag play --clock; else the sensor's clock is not set";
+  return "recorded data need use_sim_time and rosbag play --clock; otherwise the sensor's clock is not set";
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-// [m]. Beyond this, single precision no longer resolves centimetres.
-constexpr double kLargestCoordinate = 1e6;
+constexpr double kLargestCoordinate = 1e8;  // [m] no place on Earth has a larger one in any frame
 
 // Where the coordinates lie in the data. The sizes [bytes] are held in 64 bits so that products of them fit.
 struct Layout {

@@ -54,6 +54,32 @@ TEST_F(TrackStoreTest, ReferenceIsTheFirstCloudAboutItsCentroid) {
   EXPECT_LT(reference.colwise().mean().norm(), 1e-6F);
 }
 
+TEST_F(TrackStoreTest, P53_ObjectsOfAClockThatIsAheadAreForgottenWhenTheyStopComing) {
+  ObjectObservation ahead = observe("ahead", Flight(), 104.0, 0.0);
+  ahead.arrival = stamp_at(100.0);
+  store.add(ahead);
+  feed("b", Flight(), 60);
+  const ObservedScene scene = store.snapshot(kTimeStep);
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_EQ(scene.objects[0].state.id, "b");
+  EXPECT_FALSE(scene.objects[0].assumed_static);
+}
+
+TEST_F(TrackStoreTest, P53_ObjectsOfDifferentClocksAreBothInTheScene) {
+  for (int i = 0; i < 5; ++i) {
+    for (const auto& [id, offset_s] : {std::pair<const char*, double>{"a", 2.0}, {"b", 0.0}}) {
+      ObjectObservation observation = observe(id, Flight(), 100.0 + offset_s + i / 30.0, i / 30.0);
+      observation.arrival = stamp_at(100.0 + i / 30.0);
+      store.add(observation);
+    }
+  }
+  const ObservedScene scene = store.snapshot(kTimeStep);
+  ASSERT_EQ(scene.objects.size(), 2U);
+  EXPECT_FALSE(scene.objects[0].low_quality);
+  EXPECT_TRUE(scene.objects[1].low_quality);
+  EXPECT_NE(scene.clock_remark.find("'b'"), std::string::npos) << scene.clock_remark;
+}
+
 TEST_F(TrackStoreTest, OneFrameIsAssumedStatic) {
   feed("a", Flight(), 1);
   const ObservedObject object = store.snapshot(kTimeStep).objects.at(0);
