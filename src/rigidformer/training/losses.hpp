@@ -4,6 +4,7 @@
 
 #include "rigidformer/model/rigidformer.hpp"
 #include "rigidformer/training/options.hpp"
+#include "rigidformer/windows/window_batch.hpp"
 
 namespace rigidformer {
 

@@ -10,6 +10,7 @@
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/training/options.hpp"
 #include "rigidformer/training/trainer.hpp"
+#include "rigidformer/windows/window_sampler.hpp"
 
 namespace rigidformer {
 

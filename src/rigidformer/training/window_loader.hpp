@@ -5,6 +5,7 @@
 #include <future>
 
 #include "rigidformer/training/training_data.hpp"
+#include "rigidformer/windows/window_batch.hpp"
 
 namespace rigidformer {
 
