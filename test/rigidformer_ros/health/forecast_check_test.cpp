@@ -26,7 +26,7 @@ RigidTransform truth(double t) {
 SceneRollout forecast(const std::vector<std::string>& ids, double t0, double position_error_m, double angle_error_rad,
                       int steps = 4, std::uint64_t track = 7) {
   SceneRollout rollout;
-  rollout.scene.stamp = ros::Time(t0);
+  rollout.scene.stamp = rigidformer::stamp_at(t0);
   for (int k = 0; k <= steps; ++k) {
     rollout.outcome.forecast.times_s.push_back(k * kTimeStep);
   }
