@@ -52,7 +52,7 @@ TrackRecord seen(double from, double to, std::uint64_t track = 7) {
   TrackRecord record;
   record.track = track;
   for (int i = 0; from + i / 30.0 <= to + 1e-9; ++i) {
-    record.poses.add(ros::Time(from + i / 30.0), truth(from + i / 30.0), 0.005);
+    record.poses.add(rigidformer::stamp_at(from + i / 30.0), truth(from + i / 30.0), 0.005);
   }
   return record;
 }
