@@ -96,7 +96,7 @@ void for_each_member(InputParameters& o, const Visit& visit) {
   visit("max_points", o.max_points, between(4, 1e8), "a cloud of one object with more finite points is rejected");
   visit("sync_window", o.sync_window, between(0.0, 3600.0), "[s] objects seen longer before the newest one sit out");
   visit("drop_invalid_points", o.drop_invalid_points, anything(),
-        "points at 0 0 0 of the sensor, and one value that many points share, are none");
+        "points at 0 0 0 of the sensor, and one value that many share, are none");
   visit("cloud", o.cloud, anything(), "topic of one labelled cloud of the whole scene; \"\" = none");
   visit("max_cloud_points", o.max_cloud_points, between(4, 1e8),
         "more finite points in it, background included: it is rejected");
