@@ -85,7 +85,7 @@ TEST_F(LiveSceneTest, P57_late_clouds_feed_the_scene_as_long_as_they_come) {
 TEST_F(LiveSceneTest, RecordsHoldThePosesOfEveryTrack) {
   add(100.0, 100.0);
   add(100.033, 100.033);
-  const TrackRecord record = scene.records().at("a");
+  const rigidformer::TrackRecord record = scene.records().at("a");
   EXPECT_EQ(record.track, scene.snapshot(0.04).objects.at(0).track);
   EXPECT_EQ(record.poses.size(), 2U);
   EXPECT_EQ(record.poses.newest_stamp(), rigidformer::stamp_at(100.033));

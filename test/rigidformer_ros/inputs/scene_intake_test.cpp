@@ -17,6 +17,7 @@
 namespace rigidformer_ros {
 namespace {
 
+using rigidformer::ObservedObject;
 using rigidformer::MotionMode;
 using testing::blob;
 using testing::LabelledCloudMaker;

@@ -14,6 +14,7 @@
 #include "rigidformer_ros/node/node_client.hpp"
 #include "rigidformer_ros/node/node_process.hpp"
 #include "rigidformer_ros/node/rollout_requests.hpp"
+#include "rigidformer_ros/parameters/parameters.hpp"
 
 namespace rigidformer_ros::testing {
 namespace {
