@@ -39,10 +39,17 @@ struct ObservedObject {
   std::uint64_t track = 0;  ///< Number of its track; every new track has another
 };
 
+enum class SkipCause {
+  kNotSeen,   ///< Not when the others were
+  kUnusable,  ///< There is an objection to it (scene/objection.hpp)
+  kSurplus    ///< The model takes fewer objects
+};
+
 /// An object that is known, but cannot take part in a scene.
 struct SkippedObject {
   std::string id;
   std::string reason;
+  SkipCause cause = SkipCause::kNotSeen;
 };
 
 /// The scene at `stamp`, each object with its pose then and exactly one time step earlier. Objects are ordered by id.

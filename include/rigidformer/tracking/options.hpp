@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 namespace rigidformer {
 
 /// How the points of one object in two clouds belong together.
@@ -39,8 +41,9 @@ struct CorrespondenceOptions {
 
 /// Everything that a TrackStore wants to know.
 struct TrackingOptions {
-  int min_points = 4;          ///< Finite points below which a cloud is refused
-  double sync_window_s = 0.1;  ///< An object seen longer ago than this before the newest sits out
+  int min_points = 4;                        ///< Finite points below which a cloud is refused
+  double sync_window_s = 0.1;                ///< An object seen longer ago than this before the newest sits out
+  std::optional<double> length_scale = 1.0;  ///< At which objections count (scene/objection.hpp)
   HistoryOptions history;
   CorrespondenceOptions correspondence;
 };

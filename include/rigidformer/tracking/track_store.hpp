@@ -26,8 +26,9 @@ enum class AddResult {
   kNoPose,         ///< Dropped: correspondence is by pose and there is none
 };
 
-/// Keeps one track per object id: a reference cloud and the poses since it began. Knows time by stamps only.
-/// Not thread safe.
+/// Keeps one track per object id: a reference cloud and the poses since it began. Knows time by stamps only. Objects
+/// that no model can predict are skipped in every scene and have no say in its time, so that the others are seen as if
+/// they were not there. Not thread safe.
 class TrackStore {
  public:
   explicit TrackStore(const TrackingOptions& options);
@@ -40,6 +41,9 @@ class TrackStore {
   /// The newest scene that all current objects share; empty store = empty scene with stamp 0.
   ObservedScene snapshot(double time_step_s) const;
 
+  /// Why this object is skipped in every scene, with what is known of it now; empty = it is not, or there is none.
+  std::optional<std::string> objection_to(const std::string& id) const;
+
   TrackRecords records() const;
 
   void clear();
@@ -47,6 +51,7 @@ class TrackStore {
 
  private:
   struct Track;
+  enum class TimeRank { kUnusable, kStatic, kMoving };  ///< Whose clouds tell what time it is: the highest ones'
 
   AddResult begin_track(const ObjectObservation& observation, const std::vector<int>& seen_rows);
   AddResult extend_track(Track& track, const ObjectObservation& observation, const std::vector<int>& seen_rows);
@@ -56,9 +61,10 @@ class TrackStore {
                                           const std::vector<int>& seen_rows) const;
   double seconds_since(const Track& track, Stamp stamp) const;
   bool is_too_fast(const Track& track, Stamp stamp, const RigidTransform& T_world_object) const;
+  AddResult taken_in(Track& track, AddResult result);
   void forget_unseen();
   bool is_ordered() const { return options_.correspondence.method == Correspondence::kOrdered; }
-  Stamp newest_stamp() const;
+  Stamp newest_stamp(TimeRank highest) const;
   Stamp common_stamp(Stamp newest) const;
   ObservedObject observe(const std::string& id, const Track& track, Stamp stamp, double time_step_s) const;
 

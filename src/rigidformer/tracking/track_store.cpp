@@ -8,6 +8,7 @@
 
 #include "rigidformer/geometry/point_rows.hpp"
 #include "rigidformer/geometry/rigid_registration.hpp"
+#include "rigidformer/scene/objection.hpp"
 #include "rigidformer/tracking/cloud_registration.hpp"
 #include "rigidformer/tracking/cloud_tracker.hpp"
 
@@ -41,8 +42,15 @@ struct TrackStore::Track {
   bool low_quality = false;
   MotionMode mode = MotionMode::kDynamic;
   BodyProperties properties;
+  std::optional<std::string> objection;  ///< Why it cannot be predicted, with what is known of it now
 
   bool is_static() const { return mode == MotionMode::kStatic; }
+
+  TimeRank rank() const {
+    return objection ? TimeRank::kUnusable : is_static() ? TimeRank::kStatic : TimeRank::kMoving;
+  }
+
+  Points usable_points() const { return tracker ? tracker->points_object() : select_rows(points_reference, rows); }
 };
 
 TrackStore::TrackStore(const TrackingOptions& options) : options_(options) {}
@@ -95,8 +103,7 @@ AddResult TrackStore::begin_track(const ObjectObservation& observation, const st
   }
   track.poses.add(observation.stamp, T_world_object, options_.history.min_dt);
   tracks_[observation.id] = std::make_unique<Track>(std::move(track));
-  forget_unseen();
-  return AddResult::kNewTrack;
+  return taken_in(*tracks_[observation.id], AddResult::kNewTrack);
 }
 
 AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observation,
@@ -110,8 +117,19 @@ AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observ
   track.low_quality = !found->objection.empty() || found->may_have_slid;
   track.mode = observation.mode;
   track.properties = observation.properties;
+  return taken_in(track, track.low_quality ? AddResult::kLowQuality : AddResult::kExtended);
+}
+
+// A growing reference cloud can turn a line into something that can be predicted, and new properties can do the
+// reverse.
+AddResult TrackStore::taken_in(Track& track, AddResult result) {
+  ObjectState state;
+  state.points_reference = track.usable_points();
+  state.T_world_previous = state.T_world_current = track.poses.newest_pose();
+  state.properties = track.properties;
+  track.objection = objection(state, options_.length_scale);
   forget_unseen();
-  return track.low_quality ? AddResult::kLowQuality : AddResult::kExtended;
+  return result;
 }
 
 // Empty when the cloud has other points than the reference.
@@ -164,20 +182,25 @@ double TrackStore::seconds_since(const Track& track, Stamp stamp) const {
   return std::max(seconds_between(track.poses.newest_stamp(), stamp), options_.history.min_dt);
 }
 
-// Static objects may be seen only once (a latched table): they stay until clear().
+// Static objects may be seen only once (a latched table): they stay until clear(), unless they are of no use anyway.
 void TrackStore::forget_unseen() {
-  const Stamp newest = newest_stamp();
+  const Stamp newest = newest_stamp(TimeRank::kStatic);
   for (auto it = tracks_.begin(); it != tracks_.end();) {
-    const bool expired = !it->second->is_static() &&
+    const bool expired = it->second->rank() != TimeRank::kStatic &&
                          seconds_between(it->second->poses.newest_stamp(), newest) > options_.history.object_timeout;
     it = expired ? tracks_.erase(it) : std::next(it);
   }
 }
 
-Stamp TrackStore::newest_stamp() const {
+// Of the tracks of the highest rank that there is, of which those above `highest` are no better.
+Stamp TrackStore::newest_stamp(TimeRank highest) const {
+  TimeRank lowest = TimeRank::kUnusable;
+  for (const auto& [id, track] : tracks_) {
+    lowest = std::max(lowest, std::min(highest, track->rank()));
+  }
   Stamp newest;
   for (const auto& [id, track] : tracks_) {
-    newest = std::max(newest, track->poses.newest_stamp());
+    newest = track->rank() < lowest ? newest : std::max(newest, track->poses.newest_stamp());
   }
   return newest;
 }
@@ -187,7 +210,7 @@ Stamp TrackStore::common_stamp(Stamp newest) const {
   Stamp common = newest;
   for (const auto& [id, track] : tracks_) {
     const Stamp stamp = track->poses.newest_stamp();
-    if (!track->is_static() && seconds_between(stamp, newest) <= options_.sync_window_s) {
+    if (track->rank() == TimeRank::kMoving && seconds_between(stamp, newest) <= options_.sync_window_s) {
       common = std::min(common, stamp);
     }
   }
@@ -200,17 +223,13 @@ ObservedScene TrackStore::snapshot(double time_step_s) const {
   if (tracks_.empty()) {
     return scene;
   }
-  Stamp newest;
-  for (const auto& [id, track] : tracks_) {
-    if (!track->is_static()) {
-      newest = std::max(newest, track->poses.newest_stamp());
-    }
-  }
-  newest = newest == Stamp() ? newest_stamp() : newest;
+  const Stamp newest = newest_stamp(TimeRank::kMoving);
   scene.stamp = common_stamp(newest);
   for (const auto& [id, track] : tracks_) {
     const double behind = seconds_between(track->poses.newest_stamp(), newest);
-    if (!track->is_static() && behind > options_.sync_window_s) {
+    if (track->objection) {
+      scene.skipped.push_back({id, *track->objection, SkipCause::kUnusable});
+    } else if (!track->is_static() && behind > options_.sync_window_s) {
       scene.skipped.push_back({id, "not seen for " + std::to_string(behind) + " s"});
     } else if (!track->is_static() && !track->poses.pose_at(scene.stamp)) {
       scene.skipped.push_back({id, "seen for the first time after the other objects"});
@@ -219,6 +238,11 @@ ObservedScene TrackStore::snapshot(double time_step_s) const {
     }
   }
   return scene;
+}
+
+std::optional<std::string> TrackStore::objection_to(const std::string& id) const {
+  const auto found = tracks_.find(id);
+  return found == tracks_.end() ? std::nullopt : found->second->objection;
 }
 
 TrackRecords TrackStore::records() const {
@@ -233,8 +257,7 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, St
   ObservedObject object;
   object.state.id = id;
   object.state.mode = track.mode;
-  object.state.points_reference =
-      track.tracker ? track.tracker->points_object() : select_rows(track.points_reference, track.rows);
+  object.state.points_reference = track.usable_points();
   object.state.properties = track.properties;
   object.quality = track.quality;
   object.track = track.number;

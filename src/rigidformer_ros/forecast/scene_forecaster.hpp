@@ -27,6 +27,9 @@ struct SceneRollout {
   double trusted_horizon_s = 0.0;  ///< 0 = none or not known
 };
 
+/// Moves the objects that only the predictor found to be unusable to scene.skipped.
+void skip_unusable(SceneRollout& rollout);
+
 /// A scene whose prediction has begun, for all who want steps of it. Objects in scene and steps correspond.
 struct BegunRollout {
   ObservedScene scene;
@@ -57,8 +60,12 @@ class SceneForecaster {
   RolloutSettings default_settings() const;
   void set_num_steps(int num_steps) { num_steps_ = num_steps; }
 
-  /// Moves objects beyond the model's limit to scene.skipped. For requests of the numbers of steps in `ends`; nothing
-  /// is predicted before somebody wants a step.
+  /// The scene with what cannot be predicted, or is beyond the model's limit, moved to scene.skipped. The model must be
+  /// loaded.
+  ObservedScene usable_part(ObservedScene scene) const;
+
+  /// Predicts the usable part of the scene, as if there were nothing else. For requests of the numbers of steps in
+  /// `ends`; nothing is predicted before somebody wants a step.
   std::shared_ptr<BegunRollout> begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
                                       std::set<int> ends, JobLane lane);
 
@@ -66,7 +73,7 @@ class SceneForecaster {
   SceneRollout roll_out(ObservedScene scene, const RolloutSettings& settings);
 
  private:
-  double length_scale(const ObservedScene& scene, const rigidformer::ModelInfo& info) const;
+  double take_usable(ObservedScene& scene, const rigidformer::ModelInfo& info) const;
 
   PredictParameters predict_;
   std::atomic<int> num_steps_;

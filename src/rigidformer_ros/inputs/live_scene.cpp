@@ -25,24 +25,32 @@ bool LiveScene::accepts(const std::string& id, const ros::Time& stamp, const ros
 
 void LiveScene::add(const ObjectObservation& observation) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  switch (tracks_.add(observation)) {
+  const AddResult result = tracks_.add(observation);
+  count(observation.id, result);
+  if (result == AddResult::kTimeRestarted) {
+    ++epoch_;
+    ROS_INFO_STREAM("Stamps of '" << observation.id << "' jumped back: all tracks were cleared.");
+  }
+}
+
+// Each cloud that leads to no forecast of its object, or to a poor one, for one reason.
+void LiveScene::count(const std::string& id, AddResult result) {
+  switch (result) {
     case AddResult::kLate:
-      rejections_.add("late cloud", "'" + observation.id + "': older than the newest one of its object");
+      rejections_.add("late cloud", "'" + id + "': older than the newest one of its object");
       break;
     case AddResult::kTooFewPoints:
-      rejections_.add("too few points", "'" + observation.id + "': fewer finite points than input/min_points");
+      rejections_.add("too few points", "'" + id + "': fewer finite points than input/min_points");
       break;
     case AddResult::kNoPose:
-      rejections_.add("no pose", "'" + observation.id + "': correspondence/method is pose, but no pose came with it");
-      break;
-    case AddResult::kLowQuality:
-      rejections_.add("cloud that fits no pose well", "'" + observation.id + "': forecast with status LOW_QUALITY");
-      break;
-    case AddResult::kTimeRestarted:
-      ++epoch_;
-      ROS_INFO_STREAM("Stamps of '" << observation.id << "' jumped back: all tracks were cleared.");
+      rejections_.add("no pose", "'" + id + "': correspondence/method is pose, but no pose came with it");
       break;
     default:
+      if (const auto objection = tracks_.objection_to(id)) {
+        rejections_.add(kUnusableObject, "'" + id + "': " + *objection);
+      } else if (result == AddResult::kLowQuality) {
+        rejections_.add("cloud that fits no pose well", "'" + id + "': forecast with status LOW_QUALITY");
+      }
       break;
   }
 }

@@ -41,6 +41,8 @@ class LiveScene {
   std::uint64_t epoch() const;
 
  private:
+  void count(const std::string& id, rigidformer::AddResult result);
+
   RejectionLog& rejections_;
   mutable std::mutex mutex_;
   StampGate gate_;

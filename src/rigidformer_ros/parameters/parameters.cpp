@@ -250,7 +250,8 @@ Correspondence to_correspondence(const std::string& method) {
 }
 
 rigidformer::TrackingOptions tracking_options(const NodeParameters& parameters) {
-  return {parameters.input.min_points, parameters.input.sync_window, parameters.history, parameters.correspondence};
+  return {parameters.input.min_points, parameters.input.sync_window, parameters.predict.length_scale,
+          parameters.history, parameters.correspondence};
 }
 
 rigidformer::BodyProperties resolve_properties(const PropertyParameters& parameters, const std::string& id,
