@@ -36,9 +36,9 @@ for set in movi_sphere movi_a movi_b; do
   seed=$((seed + 1))
 done
 score() { "$tools/evaluate" "${model[@]}" "${data[@]}" "$@"; }
-all_starts=(--starts 0,120,240 --horizons 50,75,100)
+all_starts=(--starts '0,120,240' --horizons '50,75,100')
 one_view=(--view --noise 0.002 --properties unknown)
-engines=(--baselines ballistic,bullet)
+engines=(--baselines 'ballistic,bullet')
 # The points of the published protocol are the mesh vertices; a sensor sees samples of the surface.
 score --points vertices "${all_starts[@]}" --steps 10 "${engines[@]}" --json "$out/vertices.json"
 score --points vertices "${all_starts[@]}" --steps 10 "${engines[@]}" "${one_view[@]}" \

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "rigidformer/simulation/builtin_shapes.hpp"
 #include "rigidformer/tracking/shape_camera.hpp"
 #include "rigidformer/tracking/track_store.hpp"
 
@@ -31,11 +32,6 @@ constexpr double kFramePeriod = 1.0 / 30.0;  // [s]
 constexpr double kWellVisible = 0.4;         // of the surface
 const Eigen::Vector3d kEye(0.0, -3.0, 1.0);  // [m]
 
-/// Bodies of revolution about z: their spin about it cannot be seen.
-bool has_axis(const std::string& shape) {
-  return shape == "cone" || shape == "cylinder" || shape == "pear" || shape == "torus";
-}
-
 std::vector<Tumble> tumbles() {
   Tumble first, second, slow;
   second.velocity = {-0.3, 0.3, 0.8};
@@ -52,19 +48,6 @@ struct Tracking {
   int frames = 0, well_visible = 0, within_target = 0, low_quality = 0, new_tracks = 0;
   int flagged_within = 0, flagged_outside = 0;  ///< LOW_QUALITY among the well visible frames
 };
-
-/// Angle between true and tracked rotation, without what the shape does not show.
-double visible_angle(const std::string& shape, const RigidTransform& T_estimated, const RigidTransform& T_true) {
-  if (shape == "sphere") {
-    return 0.0;
-  }
-  if (!has_axis(shape)) {
-    return rotation_angle(T_estimated.rotation, T_true.rotation);
-  }
-  const Eigen::Vector3d a = T_estimated.rotation * Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d b = T_true.rotation * Eigen::Vector3d::UnitZ();
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// Adds the cloud of one frame and compares; `T_object_track` leads from the frame of the track to the true one.
 class Series {
@@ -109,7 +92,7 @@ class Series {
 
   void compare(const RigidTransform& T_estimated, const RigidTransform& T_true, bool is_flagged) {
     const double position_m = (T_estimated.translation - T_true.translation).norm();
-    const double angle = visible_angle(shape_, T_estimated, T_true);
+    const double angle = visible_angle(shape_, T_estimated.rotation, T_true.rotation);
     result_.worst_position_m = std::max(result_.worst_position_m, position_m);
     result_.worst_rotation_rad = std::max(result_.worst_rotation_rad, angle);
     ++result_.well_visible;

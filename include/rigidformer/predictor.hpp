@@ -19,10 +19,10 @@ struct PredictorOptions {
   std::string device = "auto";        ///< auto | cpu | cuda | cuda:N; auto = CUDA when usable, else CPU
   std::string precision = "float32";  ///< float32 | bfloat16
   int num_threads = 1;                ///< CPU threads for tensor operations
-  int max_points = 256;               ///< Points per object the network looks at; larger clouds are thinned evenly
+  int max_points = 0;                 ///< Points per object the network looks at, at least 16; 0 = as the model says
   int warmup_runs = 2;                ///< Dummy predictions made by warm_up()
-  double rest_speed = 0.1;            ///< [m/s] an object that is and would stay slower than this ...
-  double rest_spin = 0.3;             ///< [rad/s] ... and this is held still; rest_speed 0 = never
+  double rest_speed = -1.0;           ///< [m/s] what is and would stay slower than this (0 = never) ...
+  double rest_spin = -1.0;            ///< [rad/s] ... and this is held still; negative = as the model says
   double engine_share = -1.0;         ///< Share of the physics engine's step, in [0, 1]; negative = as learned
 };
 

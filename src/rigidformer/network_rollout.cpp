@@ -34,23 +34,6 @@ NearestSearch tree_search(const SceneInput& input) {
   };
 }
 
-SceneBatch to_device(SceneBatch batch, const torch::Device& device) {
-  for (Tensor* tensor :
-       {&batch.points_reference, &batch.point_mask, &batch.object_mask, &batch.anchor_index, &batch.properties,
-        &batch.properties_known, &batch.dynamic_mask, &batch.step_size, &batch.ground_height, &batch.gravity}) {
-    *tensor = tensor->to(device);
-  }
-  return batch;
-}
-
-Pose to_device(const Pose& pose, const torch::Device& device) {
-  return {pose.rotation.to(device), pose.translation.to(device)};
-}
-
-SceneState to_device(const SceneState& state, const torch::Device& device) {
-  return {to_device(state.first, device), to_device(state.previous, device), to_device(state.current, device)};
-}
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -66,8 +49,8 @@ NetworkRollout::NetworkRollout(RigidFormer& model, const torch::Device& device, 
   c10::InferenceMode inference;
   input_ = make_scene_input(objects, rollout, model->options, max_points);
   nearest_ = device.is_cpu() ? tree_search(input_) : NearestSearch(nearest_by_distance_matrix);
-  batch_ = to_device(input_.batch, device);
-  state_ = to_device(input_.state, device);
+  batch_ = input_.batch.to(device);
+  state_ = input_.state.to(device);
   centre_ = model_->centre_of_mass(batch_, state_.current);
   batch_.hidden_points = model_->hidden_side(batch_, state_.current, centre_);
   engine_ = make_engine_step(model_->options, batch_, centre_);

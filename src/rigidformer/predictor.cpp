@@ -61,6 +61,7 @@ struct Predictor::Impl {
   explicit Impl(const PredictorOptions& predictor_options);
 
   void check(const RolloutOptions& rollout) const;
+  void ask_model(const ModelOptions& model);
   void describe();
 
   PredictorOptions options;
@@ -76,21 +77,24 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
   if (options.num_threads < 1) {
     throw std::invalid_argument("num_threads is " + std::to_string(options.num_threads) + ", must be at least 1");
   }
-  if (options.max_points < 16) {
-    throw std::invalid_argument("max_points is " + std::to_string(options.max_points) + ", must be at least 16");
+  if (options.max_points != 0 && options.max_points < 16) {
+    throw std::invalid_argument("max_points is " + std::to_string(options.max_points) +
+                                ", must be at least 16, or 0 for what the model says");
   }
-  if (!(options.rest_speed >= 0.0 && options.rest_spin >= 0.0)) {
+  if (std::isnan(options.rest_speed) || std::isnan(options.rest_spin)) {
     throw std::invalid_argument("rest_speed is " + std::to_string(options.rest_speed) + " and rest_spin " +
-                                std::to_string(options.rest_spin) + ", must not be negative");
+                                std::to_string(options.rest_spin) + ", must be numbers");
   }
   if (!(options.engine_share <= 1.0)) {
     throw std::invalid_argument("engine_share is " + std::to_string(options.engine_share) + ", must be at most 1");
   }
+  use_vector_units();
   set_num_threads(options.num_threads);
   keep_freed_memory();
   device = select_device(options.device);
   checkpoint = load_checkpoint(options.file);
   RigidFormer& model = checkpoint.model;
+  ask_model(model->options);
   model->eval();
   model->to(device);
   if (options.engine_share >= 0.0) model->fixed_engine_share = options.engine_share;
@@ -105,6 +109,13 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
   }
   if (device.is_cpu()) store_by_columns(model);
   describe();
+}
+
+/// What the caller leaves open is what the model was made for.
+void Predictor::Impl::ask_model(const ModelOptions& model) {
+  if (options.max_points == 0) options.max_points = model.max_points;
+  if (options.rest_speed < 0.0) options.rest_speed = model.rest_speed_mps;
+  if (options.rest_spin < 0.0) options.rest_spin = model.rest_spin_radps;
 }
 
 void Predictor::Impl::describe() {

@@ -217,6 +217,33 @@ TEST_F(PredictorTest, InfoTellsWhatWasTrained) {
   EXPECT_EQ(info.max_speed_mps, 9.0);
 }
 
+TEST_F(PredictorTest, TheModelSaysHowItIsUsedUnlessTheCallerDoes) {
+  auto objects = touching_objects();
+  for (ObjectState& object : objects) object.T_world_previous = object.T_world_current;
+  PredictorOptions open;
+  open.file = options_.file;
+  open.device = "cpu";
+  const auto moved = [&](double rest_speed) {
+    open.rest_speed = rest_speed;
+    const ObjectTrajectory forecast = Predictor(open).predict(objects, short_rollout()).objects[0];
+    return (forecast.poses.back().translation - forecast.poses.front().translation).norm() > 1e-7;
+  };
+  for (const double rest_speed : {0.0, 0.1}) {
+    ModelOptions model_options = model_preset("tiny");
+    model_options.max_points = 1200;
+    model_options.rest_speed_mps = rest_speed;
+    RigidFormer model = random_model(model_options, torch::kFloat32);
+    torch::NoGradGuard no_grad;
+    for (Tensor parameter : model->predictor->head->second->parameters()) parameter.mul_(1e-3);  // slow, but not still
+    save_checkpoint(open.file, model, facts_for_steps(1.0, 10.0));
+    EXPECT_EQ(Predictor(open).info().max_points, 1200);
+    EXPECT_EQ(Predictor(options_).info().max_points, 256);
+    EXPECT_EQ(moved(-1.0), rest_speed == 0.0) << "the model says " << rest_speed;
+    EXPECT_TRUE(moved(0.0));
+    EXPECT_FALSE(moved(0.1));
+  }
+}
+
 TEST_F(PredictorTest, BadRolloutOptionsAreRefusedByNameAndTheNextCallWorks) {
   Predictor predictor(options_);
   const auto expect_refused = [&](const auto& change, const std::string& word) {
@@ -246,6 +273,7 @@ TEST_F(PredictorTest, BadOptionsAndFilesAreRefusedByName) {
   expect_word(refused([](auto& o) { o.precision = "int4"; }), "int4");
   expect_word(refused([](auto& o) { o.num_threads = 0; }), "num_threads");
   expect_word(refused([](auto& o) { o.max_points = 3; }), "max_points");
+  expect_word(refused([](auto& o) { o.rest_spin = std::nan(""); }), "rest_spin");
   expect_word(refused([](auto& o) { o.device = "tpu"; }), "tpu");
   expect_word(refused([](auto& o) { o.file = "/nowhere/none.safetensors"; }), "/nowhere/none.safetensors");
 }

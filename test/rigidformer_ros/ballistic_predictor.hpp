@@ -9,7 +9,8 @@
 
 namespace rigidformer {
 
-/// A predictor of known physics for tests: free fall and constant spin, no contact. Exact for bodies that do that.
+/// A predictor of known physics for tests: every body falls freely and keeps its spin, and nothing touches anything.
+/// For bodies that move like that its forecasts are exact, so that tests can compare them with formulas.
 class BallisticPredictor : public Predictor {
  public:
   BallisticPredictor() {

@@ -8,8 +8,8 @@
 
 namespace rigidformer {
 
-/// For predictors of tests, which only know how to predict from two poses: each advance() is a prediction of its own
-/// from the last two poses of the one before.
+/// A rollout for the predictors of the tests, which only know how to predict from two poses: every advance() is a new
+/// prediction from the last two poses of the previous one.
 class RestartingRollout : public Rollout {
  public:
   RestartingRollout(Predictor& predictor, std::vector<ObjectState> objects, const RolloutOptions& rollout)

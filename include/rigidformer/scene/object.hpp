@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rigidformer/geometry/rigid_transform.hpp"
+#include "rigidformer/io/members.hpp"
 
 namespace rigidformer {
 
@@ -15,6 +16,10 @@ enum class MotionMode {
   kKinematic,  ///< Keeps the twist between its two observed states; others react to it.
   kStatic      ///< Never moves (table, shelf, wall); others react to it.
 };
+
+inline EnumNames<MotionMode> names_of(MotionMode) {
+  return {{"dynamic", MotionMode::kDynamic}, {"kinematic", MotionMode::kKinematic}, {"static", MotionMode::kStatic}};
+}
 
 /// Material parameters of one object; empty = not known to the observer.
 struct BodyProperties {

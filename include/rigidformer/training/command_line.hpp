@@ -21,6 +21,9 @@ struct TrainCommand {
   std::int64_t iterations = 0;  ///< 0 = as in the training file
 };
 
+/// The keys of a training file with defaults, accepted values and meanings.
+std::string training_keys();
+
 /// Runs it; errors become one line on `log` and exit status 1.
 int run_train(const TrainCommand& command, std::ostream& log);
 

@@ -11,26 +11,28 @@
 
 namespace rigidformer_ros {
 
+/// The core's matrix of points: one row of x, y, z [m] per point.
 using rigidformer::Points;
 
-/// Reads x, y, z [m] (float32 or float64) of every point, in order, whatever other fields there are. Coordinates that
-/// are not finite or absurdly large (> 1e6 m) become NaN, whatever `is_dense` claims, so that point numbers stay the
-/// same. Throws std::invalid_argument naming the field at fault when the message contradicts itself or has more than
-/// `max_points` points; never reads outside `data`.
+/// Reads the fields x, y and z [m] of every point, as float32 or float64, in the order of the message. The cloud may
+/// have any other fields. A point with a coordinate that is not finite or larger than 1e6 m becomes NaN, whatever
+/// `is_dense` claims; its row stays, so that row numbers are point numbers. Throws std::invalid_argument naming the
+/// field at fault when the message contradicts itself or has more than `max_points` points. The function never reads
+/// outside `data`.
 Points read_points(const sensor_msgs::PointCloud2& cloud, std::uint64_t max_points);
 
-/// One batch of points of a labelled cloud.
+/// The points of one object at one predicted step, as they go into a labelled cloud.
 struct LabelledPoints {
-  Points points;
-  std::uint32_t label = 0;
-  std::uint32_t step = 0;
-  float time_s = 0.0F;
+  Points points;            ///< Positions [N, 3] m
+  std::uint32_t label = 0;  ///< Value of the field `label` of all these points
+  std::uint32_t step = 0;   ///< Value of the field `step` of all these points
+  float time_s = 0.0F;      ///< Value of the field `t` [s] of all these points
 };
 
-/// Cloud with x y z [m]. The header is left to the caller.
+/// Makes a cloud with the fields x, y and z [m] as float32. The caller fills in the header.
 sensor_msgs::PointCloud2 to_cloud(const Points& points);
 
-/// Cloud with x y z [m], label, step, t [s]. The header is left to the caller.
+/// Makes one cloud of all batches with the fields x, y, z [m], label, step and t [s]. The caller fills in the header.
 sensor_msgs::PointCloud2 to_labelled_cloud(const std::vector<LabelledPoints>& batches);
 
 }  // namespace rigidformer_ros

@@ -9,27 +9,31 @@
 
 #include "rigidformer/predictor.hpp"
 
+/// The ROS side of RigidFormer: the prediction node and the conversions between ROS messages and the types of the core.
 namespace rigidformer_ros {
 
-/// Makes the predictor that the options describe.
+/// A function that makes the predictor that the options describe.
 using ModelLoader = std::function<std::unique_ptr<rigidformer::Predictor>(const rigidformer::PredictorOptions&)>;
 
-/// Loads a checkpoint. A file package://NAME/PATH lies in the ROS package NAME. Throws as Predictor does.
+/// Loads a checkpoint. A file name of the form package://NAME/PATH means the file PATH of the ROS package NAME. Throws
+/// std::runtime_error for a package that is not found, and what the constructor of Predictor throws.
 std::unique_ptr<rigidformer::Predictor> load_model(const rigidformer::PredictorOptions& options);
 
-/// The node: clouds in, forecasts out, services. Input, forecasts, services and diagnostics each have their own queue
-/// and threads, so that none waits for another; the model has one of its own. The same class serves as node and
-/// nodelet.
+/// The node as one object: it takes clouds, publishes forecasts and offers the services. Input, forecasts, services and
+/// diagnostics each have a callback queue and threads of their own, so that none of them waits for another; the model
+/// has a thread of its own too. The program and the nodelet both use this class.
 class PredictionNode {
  public:
   /// Reads the private parameters and starts working at once. Topics and services are relative to `node`, parameters to
   /// `private_node`. `make_predictor` runs on the inference thread. Throws std::invalid_argument for parameters that
-  /// cannot work, naming parameter and accepted values.
+  /// cannot work, naming the parameter and the accepted values.
   PredictionNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                  const ModelLoader& make_predictor = load_model);
+
+  /// Stops the work and waits for callbacks in progress.
   ~PredictionNode();
 
-  /// Ends rollouts in progress, which could take many seconds, after their current job.
+  /// Ends rollouts in progress after their current job, because a whole rollout can take many seconds.
   void stop();
 
  private:
@@ -37,7 +41,8 @@ class PredictionNode {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Builds the node and spins until shutdown. Returns the exit code: 1 for parameters that cannot work.
+/// Builds the node and runs it until shutdown. Returns the exit code of the program: 1 for parameters that cannot work
+/// or after a restart of the ROS master, otherwise 0.
 int run_prediction_node(const ModelLoader& make_predictor = load_model);
 
 }  // namespace rigidformer_ros

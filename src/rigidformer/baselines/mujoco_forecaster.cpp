@@ -12,6 +12,7 @@
 
 #include "mujoco_scene.hpp"
 #include "rigidformer/baselines/observed_body.hpp"
+#include "rigidformer/simulation/observed_motion.hpp"
 
 namespace rigidformer {
 namespace {
@@ -85,7 +86,7 @@ bool has_diverged(const mjData& data) {
 std::vector<std::vector<RigidTransform>> MujocoForecaster::forecast(const std::vector<ObjectState>& objects,
                                                                     const RolloutOptions& rollout) {
   const std::vector<ObservedBody> bodies = observe_bodies(objects, rollout);
-  const int substeps = kSolverStepsPerFrame * substeps_per_step(rollout);
+  const int substeps = kSolverStepsPerFrame * observed_world(rollout.time_step_s, rollout.gravity).substeps;
   mju_user_warning = [](const char*) {};  // else they go to a file in the current folder
   const ModelPtr model = compile(mujoco_scene(bodies, rollout.gravity, rollout.time_step_s / substeps));
   const DataPtr data(mj_makeData(model.get()));

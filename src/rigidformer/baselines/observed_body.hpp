@@ -32,7 +32,7 @@ std::vector<ConvexPart> one_hull(const Points& points);
 /// - Centre of mass: centroid of the shape's volume, whatever the origin of the reference frame.
 /// - Velocity and spin: from the two poses. Gravity is taken to have acted between them, except on objects that touch
 ///   the floor in both.
-/// - Unknown mass: 1 kg per m^3 of the shape, about what the MOVi scenes have; unknown friction and restitution: 0.5.
+/// - Unknown material: the means of the MOVi scenes, as for the engine inside of the network.
 /// Throws std::invalid_argument for a bad rollout, no ground, fewer than 4 points, or an object that is not dynamic.
 std::vector<ObservedBody> observe_bodies(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                                          const Decomposition& decompose = one_hull);
@@ -40,8 +40,5 @@ std::vector<ObservedBody> observe_bodies(const std::vector<ObjectState>& objects
 /// T_world_reference of a body whose pose relative to the ground is `T_ground_body`.
 RigidTransform reference_pose(const ObservedBody& body, const RigidTransform& T_ground_body,
                               const RolloutOptions& rollout);
-
-/// Solver steps of one rollout step: as many as 240 Hz frames fit, at least one.
-int substeps_per_step(const RolloutOptions& rollout);
 
 }  // namespace rigidformer

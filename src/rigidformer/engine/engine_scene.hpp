@@ -37,7 +37,7 @@ class EngineScene {
   void add_body(const Solid& solid, Body& body);
   BodyState observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const;
   RigidTransform departure(const Body& body, const BodyState& arrived) const;
-  double half_fall() const;
+  double fall_before_step() const;
   bool falls(const Body& body, const BodyState& state) const;
   static bool is_certain(const Body& body, const BodyState& state);
   RigidTransform on_ground(const Body& body, const RigidTransform& T_world_reference) const;

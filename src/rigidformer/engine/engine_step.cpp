@@ -14,25 +14,12 @@
 namespace rigidformer {
 
 #ifdef RIGIDFORMER_HAS_BULLET
-namespace {
-
-/// Everything the engine reads: one transfer per tensor instead of one per number.
-SceneBatch on_cpu(SceneBatch batch) {
-  for (Tensor* tensor : {&batch.points_reference, &batch.point_mask, &batch.object_mask, &batch.surface_points,
-                         &batch.surface_mask, &batch.hidden_points, &batch.properties, &batch.properties_known,
-                         &batch.dynamic_mask, &batch.step_size, &batch.ground_height, &batch.gravity}) {
-    if (tensor->defined()) *tensor = tensor->to(torch::kCPU);
-  }
-  return batch;
-}
-
-}  // namespace
 
 EngineStep make_engine_step(const ModelOptions& options, const SceneBatch& batch, const Tensor& centre_reference) {
   if (!options.engine_motion) return {};
   torch::NoGradGuard no_grad;
   const auto scenes = std::make_shared<std::vector<EngineScene>>();
-  const SceneBatch scene_batch = on_cpu(batch);
+  const SceneBatch scene_batch = batch.to(torch::kCPU);  // one transfer per tensor instead of one per number
   const Tensor centre = centre_reference.to(torch::kCPU, torch::kFloat64);
   const int64_t B = batch.num_scenes();
   for (int64_t b = 0; b < B; ++b) scenes->emplace_back(scene_batch, centre, b);

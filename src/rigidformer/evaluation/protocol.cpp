@@ -55,6 +55,7 @@ std::vector<PoseError> object_errors(const Poses& predicted, const Poses& truth)
 }
 
 bool lies_still(const std::vector<RigidTransform>& poses, int first, int last) {
+  // Well below the drift to be measured, well above the rounding of recorded poses.
   constexpr double kStill_m = 0.002, kStill_rad = 0.2 * M_PI / 180.0;
   return std::all_of(poses.begin() + first, poses.begin() + last + 1, [&](const RigidTransform& pose) {
     return (pose.translation - poses[static_cast<std::size_t>(first)].translation).norm() < kStill_m &&

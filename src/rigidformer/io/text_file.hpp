@@ -12,9 +12,13 @@ namespace rigidformer {
 /// larger than `max_bytes`; nothing is allocated before the size is known.
 std::string read_text_file(const std::filesystem::path& path, std::uintmax_t max_bytes);
 
-/// Writes to a temporary file and renames it, so that neither a crash nor a full disk leaves half a file. Throws
-/// std::runtime_error naming the defect (not the path).
+/// Writes to a temporary file and renames it, so that neither a crash nor a full disk leaves half a file; what is there
+/// and no regular file (a pipe, a terminal) is written to as it is. Throws std::runtime_error naming the defect (not
+/// the path).
 void write_text_file(const std::filesystem::path& path, const std::string& text);
+
+/// The same, with an error that names the path as well.
+void save_text_file(const std::filesystem::path& path, const std::string& text);
 
 /// Whether lists and objects of a JSON text lie deeper than 64 levels in each other. What copies and writes JSON calls
 /// itself once per level, so that such a text could exhaust the stack.

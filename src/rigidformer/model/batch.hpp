@@ -4,6 +4,7 @@
 
 #include <torch/torch.h>
 
+#include <array>
 #include <functional>
 
 /// Tensor letters, used in every shape comment of model, windows and training:
@@ -26,6 +27,8 @@ struct Pose {
 
   /// Applies the poses to points [B, K, *, 3] given in the reference frame.
   Tensor apply(const Tensor& points_reference) const;
+
+  Pose to(const torch::Device& device) const;
 };
 
 /// What stays the same during a rollout. Points are in farthest-point order, valid ones first.
@@ -45,19 +48,36 @@ struct SceneBatch {
   Tensor gravity;           ///< [B] vertical acceleration [m/s^2]
   Tensor control;           ///< [B, control_dim] or undefined
 
+  /// [B, K, N, 3] outward unit normals, estimated from the points; undefined where no model needs them.
+  Tensor normals_reference;
+
   int64_t num_scenes() const { return points_reference.size(0); }
   int64_t max_objects() const { return points_reference.size(1); }
   int64_t max_points() const { return points_reference.size(2); }
 
   Tensor time_step() const;          ///< [B] s
   Tensor anchors_reference() const;  ///< [B, K, A, 3]
+
+  /// With every tensor on that device; what is undefined stays so.
+  SceneBatch to(const torch::Device& device) const;
 };
+
+/// All tensors of a batch: whatever does the same with each of them goes through this list.
+constexpr std::array kBatchTensors{
+    &SceneBatch::points_reference, &SceneBatch::normals_reference, &SceneBatch::point_mask,
+    &SceneBatch::object_mask,      &SceneBatch::surface_points,    &SceneBatch::surface_mask,
+    &SceneBatch::hidden_points,    &SceneBatch::anchor_index,      &SceneBatch::properties,
+    &SceneBatch::properties_known, &SceneBatch::dynamic_mask,      &SceneBatch::step_size,
+    &SceneBatch::ground_height,    &SceneBatch::gravity,           &SceneBatch::control};
+static_assert(sizeof(SceneBatch) == kBatchTensors.size() * sizeof(Tensor), "a tensor of the batch is not in the list");
 
 /// What changes from step to step.
 struct SceneState {
   Pose first;     ///< First frame of the sequence: x_ref of the paper
   Pose previous;  ///< t - 1
   Pose current;   ///< t
+
+  SceneState to(const torch::Device& device) const;
 };
 
 /// The nearest point of another object, per vertex.

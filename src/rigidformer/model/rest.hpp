@@ -6,7 +6,7 @@
 
 namespace rigidformer {
 
-/// Below both speeds an object counts as still (physics engines call it sleeping).
+/// Below both speeds an object is held still (physics engines call it sleeping).
 struct RestLimits {
   double speed_mps = 0.1;  ///< 0 = nothing is ever held
   double spin_radps = 0.3;

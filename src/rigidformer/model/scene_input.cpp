@@ -8,7 +8,9 @@
 #include <string>
 
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
+#include "rigidformer/geometry/surface_normals.hpp"
 #include "rigidformer/model/anchors.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 
 namespace rigidformer {
 namespace {
@@ -70,6 +72,16 @@ void store_surfaces(const std::vector<ObjectState>& objects, SceneBatch& batch) 
     const int64_t n = cloud.rows();
     batch.surface_points[0][k].slice(0, 0, n).copy_(torch::from_blob(cloud.data(), {n, 3}));
     batch.surface_mask[0][k].slice(0, 0, n).fill_(true);
+  }
+}
+
+void store_normals(const std::vector<Points>& clouds, SceneBatch& batch) {
+  batch.normals_reference = torch::zeros_like(batch.points_reference);
+  for (size_t k = 0; k < clouds.size(); ++k) {
+    Points normals = estimate_normals(clouds[k]);
+    batch.normals_reference[0][static_cast<int64_t>(k)]
+        .slice(0, 0, normals.rows())
+        .copy_(torch::from_blob(normals.data(), {normals.rows(), 3}));
   }
 }
 
@@ -135,6 +147,7 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   }
   input.state.first = input.state.previous;
   if (model.engine_motion) store_surfaces(objects, batch);
+  if (model.local_planes) store_normals(input.clouds, batch);
   const Tensor start_score = model.random_anchors ? torch::rand({1, K, N}) : Tensor();
   batch.anchor_index = farthest_anchors(batch.points_reference, batch.point_mask, model.num_anchors, start_score);
   return input;

@@ -11,11 +11,6 @@
 
 namespace rigidformer {
 
-/// Of the MOVi scenes; what stands in for unknown material.
-constexpr double kMeanMass = 1.2;  ///< [kg]
-constexpr double kMeanFriction = 0.6;
-constexpr double kMeanRestitution = 0.5;
-
 /// A scene in the form the network reads, B = 1. World coordinates are shifted so that the ground lies at z = 0 and the
 /// objects surround the origin: physics does not depend on where a scene stands, trained positions do.
 struct SceneInput {

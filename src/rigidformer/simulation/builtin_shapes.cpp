@@ -237,4 +237,18 @@ const std::vector<Shape>& builtin_shapes() {
   return shapes;
 }
 
+Symmetry symmetry_of(const std::string& shape) {
+  if (shape == "sphere") return Symmetry::kAll;
+  const bool of_revolution = shape == "cone" || shape == "cylinder" || shape == "pear" || shape == "torus";
+  return of_revolution ? Symmetry::kAxis : Symmetry::kNone;
+}
+
+double visible_angle(const std::string& shape, const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const Symmetry symmetry = symmetry_of(shape);
+  if (symmetry == Symmetry::kAll) return 0.0;
+  if (symmetry == Symmetry::kNone) return rotation_angle(a, b);
+  const Eigen::Vector3d axis_a = a * Eigen::Vector3d::UnitZ(), axis_b = b * Eigen::Vector3d::UnitZ();
+  return std::atan2(axis_a.cross(axis_b).norm(), axis_a.dot(axis_b));
+}
+
 }  // namespace rigidformer

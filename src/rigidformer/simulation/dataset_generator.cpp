@@ -15,6 +15,7 @@
 #include "rigidformer/data/kubric.hpp"
 #include "rigidformer/data/scene_archive.hpp"
 #include "rigidformer/io/sha256.hpp"
+#include "rigidformer/io/text_file.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
 
 namespace rigidformer {
@@ -53,10 +54,7 @@ void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shape
       throw std::runtime_error("'" + options.output.string() + "' is not empty and has no " + kGenerationFile +
                                ": choose another folder");
     }
-    std::ofstream out(path);
-    out << wanted.dump(2) << '\n';
-    out.close();
-    if (!out) throw std::runtime_error("cannot write '" + path.string() + "'");
+    save_text_file(path, wanted.dump(2) + '\n');
     return;
   }
   std::ifstream in(path);

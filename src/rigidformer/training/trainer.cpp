@@ -92,6 +92,7 @@ Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, con
     throw std::invalid_argument("micro_batches is " + std::to_string(options.micro_batches) +
                                 ", must be a multiple of the " + std::to_string(group_.size()) + " processes");
   }
+  use_vector_units();
   set_num_threads(machine.num_threads);
   keep_freed_memory();
   std::filesystem::create_directories(paths.output);

@@ -11,13 +11,13 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kMinVelocityJump = 0.5;  // [m/s]
-constexpr double kFloorDistance = 0.08;   // [m] higher than this is not the floor
-constexpr double kRestingSpeed = 0.03;    // [m/s]
-constexpr double kRestingSpin = 0.1;      // [rad/s]
-constexpr double kRollingSpeed = 0.15;    // [m/s]
-constexpr int64_t kLastingStride = 8;     // frames between two entries of a lasting contact
-constexpr int64_t kHeightPoints = 64;     // vertices looked at for the lowest point
+constexpr double kMinVelocityJump = 0.5;    // [m/s]
+constexpr double kFloorDistance = 0.08;     // [m] higher than this is not the floor
+constexpr double kRestingSpeed_mps = 0.03;  // recordings have no noise: what is slower does not even rock
+constexpr double kRestingSpin_radps = 0.1;  // likewise
+constexpr double kRollingSpeed = 0.15;      // [m/s]
+constexpr int64_t kLastingStride = 8;       // frames between two entries of a lasting contact
+constexpr int64_t kHeightPoints = 64;       // vertices looked at for the lowest point
 
 using PoseRows = at::TensorAccessor<float, 3>;  // [F, K, 7]
 
@@ -63,7 +63,7 @@ std::vector<ContactEvent>* list_for(const PoseRows& poses, int64_t frame, int64_
   if (frame % kLastingStride != 0) return nullptr;
   const double speed = kFrameRateHz * (position(poses, frame + 1, k) - position(poses, frame, k)).norm();
   const double spin = kFrameRateHz * rotation(poses, frame + 1, k).angularDistance(rotation(poses, frame, k));
-  if (speed < kRestingSpeed && spin < kRestingSpin) return &events.resting;
+  if (speed < kRestingSpeed_mps && spin < kRestingSpin_radps) return &events.resting;
   return speed > kRollingSpeed && on_floor() ? &events.rolling : nullptr;
 }
 

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
+#include "rigidformer/geometry/surface_normals.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 #include "rigidformer/scene/surface_sampling.hpp"
 
 namespace rigidformer {
@@ -18,15 +20,13 @@ namespace {
 void store_point_set(SceneTensors& tensors, int64_t shape, int64_t set, const SurfaceSamples& samples) {
   const auto capacity = static_cast<int>(tensors.shape_points.size(2));
   const std::vector<int> order = farthest_point_order(samples.points, capacity);
-  const Tensor set_points = tensors.shape_points[shape][set], set_normals = tensors.shape_normals[shape][set];
-  auto rows = set_points.accessor<float, 2>();
-  auto normal_rows = set_normals.accessor<float, 2>();
-  for (size_t i = 0; i < order.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      rows[static_cast<int64_t>(i)][axis] = samples.points(order[i], axis);
-      normal_rows[static_cast<int64_t>(i)][axis] = samples.normals(order[i], axis);
-    }
-  }
+  const auto store = [&](Points rows, const Tensor& place) {
+    place[shape][set].slice(0, 0, rows.rows()).copy_(torch::from_blob(rows.data(), {rows.rows(), 3}));
+  };
+  const Points points = samples.points(order, Eigen::all);
+  store(points, tensors.shape_points);
+  store(samples.normals(order, Eigen::all), tensors.shape_normals);
+  store(estimate_normals(points), tensors.estimated_normals);
   tensors.shape_point_count[shape][set] = static_cast<int64_t>(order.size());
 }
 
@@ -42,6 +42,7 @@ void store_shapes(SceneTensors& tensors, const std::vector<const Shape*>& shapes
   const auto Q = static_cast<int64_t>(shapes.size());
   tensors.shape_points = torch::zeros({Q, options.sets_per_shape, options.points_per_set, 3});
   tensors.shape_normals = torch::zeros_like(tensors.shape_points);
+  tensors.estimated_normals = torch::zeros_like(tensors.shape_points);
   tensors.shape_point_count = torch::zeros({Q, options.sets_per_shape}, torch::kInt64);
   std::vector<std::thread> workers;
   const int64_t num_workers = std::min<int64_t>(Q, std::max(1u, std::thread::hardware_concurrency()));
@@ -62,7 +63,8 @@ void store_object(SceneTensors& tensors, int64_t s, int64_t k, const RecordedObj
   tensors.size[s][k] = object.size;
   const BodyProperties& p = object.properties;
   tensors.properties[s][k] = torch::tensor(
-      {known_or(p.mass_kg, 1.0), known_or(p.friction, 0.5), known_or(p.restitution, 0.5)}, torch::kFloat32);
+      {known_or(p.mass_kg, kMeanMass), known_or(p.friction, kMeanFriction), known_or(p.restitution, kMeanRestitution)},
+      torch::kFloat32);
   const Tensor scene_poses = tensors.poses[s];
   auto poses = scene_poses.accessor<float, 3>();
   for (size_t frame = 0; frame < object.T_world_object.size(); ++frame) {
@@ -108,9 +110,16 @@ std::vector<int64_t> SceneTensors::object_counts() const {
 }
 
 SceneTensors SceneTensors::to(const torch::Device& device) const {
-  return {poses.to(device),        object_mask.to(device),   shape.to(device),
-          size.to(device),         properties.to(device),    gravity.to(device),
-          shape_points.to(device), shape_normals.to(device), shape_point_count.to(device)};
+  return {poses.to(device),
+          object_mask.to(device),
+          shape.to(device),
+          size.to(device),
+          properties.to(device),
+          gravity.to(device),
+          shape_points.to(device),
+          shape_normals.to(device),
+          estimated_normals.to(device),
+          shape_point_count.to(device)};
 }
 
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {

@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "rigidformer/data/scene_archive.hpp"
+#include "rigidformer/windows/options.hpp"
 
 namespace rigidformer {
 
 using torch::Tensor;
-
-/// How shapes become point sets.
-struct PointSetOptions {
-  int sets_per_shape = 24;   ///< Independent surface samplings per shape; set 0 holds the mesh vertices
-  int points_per_set = 512;  ///< Upper bound per set, in farthest-point order
-  std::uint64_t seed = 1;
-};
 
 /// All scenes of several archives as padded tensors on one device. S scenes, F frames, K objects, Q shapes, P sets,
 /// M points per set.
@@ -30,7 +24,8 @@ struct SceneTensors {
   Tensor properties;         ///< [S, K, 3] mass, friction, restitution
   Tensor gravity;            ///< [S] vertical component [m/s^2]
   Tensor shape_points;       ///< [Q, P, M, 3] at size 1
-  Tensor shape_normals;      ///< [Q, P, M, 3]
+  Tensor shape_normals;      ///< [Q, P, M, 3] of the mesh, for what a camera sees
+  Tensor estimated_normals;  ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
   Tensor shape_point_count;  ///< [Q, P] int64
 
   int64_t num_scenes() const { return poses.size(0); }

@@ -63,9 +63,10 @@ Tensor draw_object_order(const Tensor& object_mask, double probability, const to
 }
 
 struct PointCandidates {
-  Tensor points;   ///< [B, K, M, 3] body frame
-  Tensor normals;  ///< [B, K, M, 3]
-  Tensor usable;   ///< [B, K, M] bool
+  Tensor points;             ///< [B, K, M, 3] body frame
+  Tensor normals;            ///< [B, K, M, 3] of the mesh
+  Tensor estimated_normals;  ///< [B, K, M, 3]
+  Tensor usable;             ///< [B, K, M] bool
 };
 
 PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape, const Tensor& size,
@@ -79,6 +80,7 @@ PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape
   PointCandidates candidates;
   candidates.points = tensors.shape_points.flatten(0, 1).index({row}) * size.unsqueeze(-1).unsqueeze(-1);
   candidates.normals = tensors.shape_normals.flatten(0, 1).index({row});
+  candidates.estimated_normals = tensors.estimated_normals.flatten(0, 1).index({row});
   const Tensor count = tensors.shape_point_count.flatten(0, 1).index({row}).unsqueeze(-1);
   candidates.usable = torch::arange(M, shape.options()) < count;
   return candidates;
@@ -108,6 +110,7 @@ void keep_points(const PointCandidates& candidates, const Tensor& usable, const 
   const Tensor rank = torch::arange(M, torch::TensorOptions(torch::kInt64).device(usable.device()));
   const Tensor order = std::get<1>((rank + M * usable.logical_not()).sort(-1)).slice(-1, 0, N);
   scene.points_reference = gather_points(candidates.points, order);
+  scene.normals_reference = gather_points(candidates.estimated_normals, order);
   const Tensor fraction = random.uniform({B, K}, candidates.points.options());
   const Tensor wanted = (options.min_points + fraction * (options.max_points - options.min_points)).round();
   const Tensor count = torch::minimum(wanted.to(torch::kInt64), usable.sum(-1)).unsqueeze(-1);

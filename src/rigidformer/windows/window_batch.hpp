@@ -6,26 +6,12 @@
 
 #include "rigidformer/model/anchors.hpp"
 #include "rigidformer/model/batch.hpp"
+#include "rigidformer/windows/options.hpp"
 #include "rigidformer/windows/scene_tensors.hpp"
 #include "rigidformer/windows/tensor_random.hpp"
 #include "rigidformer/windows/window_sampler.hpp"
 
 namespace rigidformer {
-
-/// How a scene is observed and varied. Field names are the YAML keys under `augmentation:`.
-struct AugmentationOptions {
-  int min_points = 64;                   ///< Points per object, drawn per object between these bounds ...
-  int max_points = 128;                  ///< ... this is also the padded size
-  double vertex_probability = 0.0;       ///< Windows that use mesh vertices instead of surface samples
-  double view_probability = 0.0;         ///< Windows that keep only points facing one random camera
-  double noise_m = 0.0;                  ///< Largest standard deviation of point noise, drawn per window
-  double unknown_probability = 0.0;      ///< Windows whose material parameters are hidden
-  double yaw_probability = 0.5;          ///< Windows turned about the vertical axis ...
-  double yaw_step_deg = 5.0;             ///< ... by a multiple of this angle; 0 = any angle
-  bool yaw_per_batch = true;             ///< One angle for the whole batch (paper, App. E) or one per window
-  double shift_m = 0.0;                  ///< Windows are moved horizontally by up to this distance
-  double permutation_probability = 0.5;  ///< Objects in random order (paper, App. E)
-};
 
 /// A batch of windows with ground truth. The reference frame of every cloud is the body frame, so the true centre of
 /// mass is the origin of the reference frame.

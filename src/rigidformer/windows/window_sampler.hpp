@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "rigidformer/windows/contact_events.hpp"
+#include "rigidformer/windows/options.hpp"
 
 namespace rigidformer {
-
-/// Which moments of which scenes are learned from. Field names are the YAML keys under `windows:`.
-struct WindowOptions {
-  std::vector<int> step_sizes = {1, 5, 10};  ///< s drawn from here ...
-  double any_step_probability = 0.0;         ///< ... or, with this probability, uniformly from 1 ... max(step_sizes)
-  double mid_air_probability = 0.0;          ///< Windows around object-object contacts
-  double floor_probability = 0.0;            ///< Windows around floor impacts
-  double rolling_probability = 0.0;          ///< Windows in which an object rolls or slides on the floor
-  double resting_probability = 0.0;          ///< Windows in which an object rests; what is left is uniform in time
-};
 
 /// One window: frames `frame`, `frame` + s, ..., of one scene.
 struct Window {

@@ -19,30 +19,18 @@ bool is_selected(const ForecastSelection& selection, const std::string& id) {
   return selection.object_ids.empty() || std::count(selection.object_ids.begin(), selection.object_ids.end(), id) > 0;
 }
 
-bool is_out_of_range(const ObservedObject& object, const geometry_msgs::Twist& twist,
-                     const rigidformer::ModelInfo& model) {
+geometry_msgs::Twist observed_twist(const ObservedObject& object, double time_step_s) {
+  return twist_between(object.state.T_world_previous, object.state.T_world_current, time_step_s);
+}
+
+bool is_out_of_range(const ObservedObject& object, double time_step_s, const rigidformer::ModelInfo& model) {
+  const geometry_msgs::Twist twist = observed_twist(object, time_step_s);
   const double size = object_diameter(object.state.points_reference);
   const double speed = std::hypot(twist.linear.x, twist.linear.y, twist.linear.z) +
                        std::hypot(twist.angular.x, twist.angular.y, twist.angular.z) * size / 2.0;
   return (model.max_size_m > 0.0 &&
           (size > model.max_size_m * kRangeMargin || size * kRangeMargin < model.min_size_m)) ||
          (model.max_speed_mps > 0.0 && speed > model.max_speed_mps * kRangeMargin);
-}
-
-std::uint8_t status_of(const ObservedObject& object, const rigidformer::ObjectTrajectory& forecast,
-                       const geometry_msgs::Twist& observed_twist, const rigidformer::ModelInfo& model) {
-  if (forecast.status == rigidformer::ObjectTrajectory::Status::kDiverged) {
-    return ObjectForecast::DIVERGED;
-  }
-  if (object.low_quality) {
-    return ObjectForecast::LOW_QUALITY;
-  }
-  if (object.assumed_static) {
-    return ObjectForecast::ASSUMED_STATIC;
-  }
-  const bool moves_freely = object.state.mode == rigidformer::MotionMode::kDynamic;
-  return moves_freely && is_out_of_range(object, observed_twist, model) ? ObjectForecast::OUT_OF_RANGE
-                                                                        : ObjectForecast::OK;
 }
 
 ObjectForecast to_object_forecast(const SceneRollout& rollout, std::size_t index, int record_every) {
@@ -56,10 +44,10 @@ ObjectForecast to_object_forecast(const SceneRollout& rollout, std::size_t index
   message.registration_inlier_ratio = static_cast<float>(object.quality.inlier_ratio);
   for (std::size_t k = 0; k < forecast.poses.size(); k += static_cast<std::size_t>(record_every)) {
     message.poses.push_back(to_pose(forecast.poses[k]));
-    message.twists.push_back(k == 0 ? twist_between(object.state.T_world_previous, object.state.T_world_current, dt_s)
+    message.twists.push_back(k == 0 ? observed_twist(object, dt_s)
                                     : twist_between(forecast.poses[k - 1], forecast.poses[k], dt_s));
   }
-  message.status = status_of(object, forecast, message.twists.front(), rollout.model);
+  message.status = status_of(rollout, index);
   message.first_contact_step = -1;
   const int settled = rollout.outcome.settled_steps[index];
   message.settled_step = settled < 0 ? -1 : (settled + record_every - 1) / record_every;
@@ -77,6 +65,23 @@ std_msgs::Header header_at(const SceneRollout& rollout, std::size_t step, const 
 }
 
 }  // namespace
+
+std::uint8_t status_of(const SceneRollout& rollout, std::size_t index) {
+  const ObservedObject& object = rollout.scene.objects.at(index);
+  if (rollout.outcome.forecast.objects.at(index).status == rigidformer::ObjectTrajectory::Status::kDiverged) {
+    return ObjectForecast::DIVERGED;
+  }
+  if (object.low_quality) {
+    return ObjectForecast::LOW_QUALITY;
+  }
+  if (object.assumed_static) {
+    return ObjectForecast::ASSUMED_STATIC;
+  }
+  const bool moves_freely = object.state.mode == rigidformer::MotionMode::kDynamic;
+  return moves_freely && is_out_of_range(object, rollout.scene.time_step_s, rollout.model)
+             ? ObjectForecast::OUT_OF_RANGE
+             : ObjectForecast::OK;
+}
 
 std::string model_label(const rigidformer::ModelInfo& model) {
   return model.sha256.empty() ? model.id : model.id + " " + model.sha256.substr(0, 8);

@@ -27,6 +27,9 @@ std::string model_label(const rigidformer::ModelInfo& model);
 SceneForecast to_forecast(const SceneRollout& rollout, const ForecastSelection& selection,
                           const std::string& fixed_frame);
 
+/// How far the forecast of object `index` can be trusted: a constant of ObjectForecast. What is worst comes first.
+std::uint8_t status_of(const SceneRollout& rollout, std::size_t index);
+
 /// Points that to_points_cloud() would return.
 std::uint64_t count_points(const ObservedScene& scene, const ForecastSelection& selection, int num_steps);
 

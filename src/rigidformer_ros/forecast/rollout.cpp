@@ -18,7 +18,8 @@ using rigidformer::ObjectTrajectory;
 using rigidformer::RigidTransform;
 using Clock = SharedRollout::Clock;
 
-bool is_at_rest(const RigidTransform& before, const RigidTransform& after, double dt_s, const SettleCriterion& limit) {
+bool is_slow_enough(const RigidTransform& before, const RigidTransform& after, double dt_s,
+                    const SettleCriterion& limit) {
   return (after.translation - before.translation).norm() <= limit.linear_speed_mps * dt_s &&
          rigidformer::rotation_angle(before.rotation, after.rotation) <= limit.angular_speed_rps * dt_s;
 }
@@ -57,15 +58,16 @@ SettleCriterion settle_criterion(const ServiceParameters& parameters) {
 
 int settled_step(const std::vector<RigidTransform>& poses, double time_step_s, const SettleCriterion& criterion) {
   auto step = static_cast<int>(poses.size()) - 1;
-  while (step > 0 && is_at_rest(poses[step - 1], poses[step], time_step_s, criterion)) {
+  while (step > 0 && is_slow_enough(poses[step - 1], poses[step], time_step_s, criterion)) {
     --step;
   }
-  const double at_rest_s = (static_cast<double>(poses.size()) - 1.0 - step) * time_step_s;
-  return at_rest_s > 0.0 && at_rest_s >= criterion.duration_s ? step : -1;
+  const double settled_s = (static_cast<double>(poses.size()) - 1.0 - step) * time_step_s;
+  return settled_s > 0.0 && settled_s >= criterion.duration_s ? step : -1;
 }
 
 Clock::time_point time_limit(const RolloutSettings& settings, Clock::time_point asked) {
-  constexpr double kLongest_s = 1e9;  // the clock counts in nanoseconds
+  // [s], about 32 years, stands for "no limit": the clock counts nanoseconds in 64 bits, which hold 292 years.
+  constexpr double kLongest_s = 1e9;
   const std::chrono::duration<double> allowed(
       settings.max_wall_time_s > 0.0 ? std::min(settings.max_wall_time_s, kLongest_s) : kLongest_s);
   return asked + std::chrono::duration_cast<Clock::duration>(allowed);

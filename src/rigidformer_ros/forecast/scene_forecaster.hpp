@@ -18,36 +18,38 @@ namespace rigidformer_ros {
 using rigidformer::ObservedObject;
 using rigidformer::ObservedScene;
 
-/// An observed scene with its predicted future. Objects in scene, outcome.forecast and outcome.settled_steps
-/// correspond.
+/// An observed scene with its predicted future. The objects stand in the same order in scene, outcome.forecast and
+/// outcome.settled_steps.
 struct SceneRollout {
   ObservedScene scene;
   RolloutOutcome outcome;
-  rigidformer::ModelInfo model;    ///< Ranges in real lengths and times
-  double trusted_horizon_s = 0.0;  ///< 0 = none or not known
+  rigidformer::ModelInfo model;    ///< The model, its ranges in real lengths and times
+  double trusted_horizon_s = 0.0;  ///< How far ahead forecasts were good lately [s]; 0 = nowhere, or not known
 };
 
 /// Moves the objects that only the predictor found to be unusable to scene.skipped.
 void skip_unusable(SceneRollout& rollout);
 
-/// A scene whose prediction has begun, for all who want steps of it. Objects in scene and steps correspond.
+/// A scene whose prediction has begun, for everyone who wants steps of it. The objects stand in the same order in scene
+/// and steps.
 struct BegunRollout {
   ObservedScene scene;
-  rigidformer::ModelInfo model;  ///< Ranges in real lengths and times
+  rigidformer::ModelInfo model;  ///< The model, its ranges in real lengths and times
   SharedRollout steps;
 };
 
-/// Predicts observed scenes as the parameters say. The topic and the service share one, so their numbers are the same.
+/// Predicts observed scenes as the parameters say. The topic and the service share one forecaster, so that both give
+/// the same numbers for the same state.
 class SceneForecaster {
  public:
   SceneForecaster(const NodeParameters& parameters, PredictorFactory make_predictor);
 
-  /// Ends rollouts in progress after their current job; they throw. For shutting down.
+  /// Ends rollouts in progress after their current job; they throw. The node calls this when it shuts down.
   void stop() { worker_.stop(); }
 
   InferenceWorker::State state() const { return worker_.state(); }
   bool ready() const { return state() == InferenceWorker::State::kReady; }
-  /// Why it is not ready; empty when it is.
+  /// Says why the model is not ready; the text is empty when it is.
   std::string message() const { return worker_.message(); }
 
   /// The model with its ranges as trained; empty before it is ready.
@@ -56,20 +58,20 @@ class SceneForecaster {
   /// The loaded model with its ranges in real lengths and times, at the length scale of `scene`.
   rigidformer::ModelInfo model_for(const ObservedScene& scene) const;
 
-  /// What predict.* asks for.
+  /// The settings that the parameters `predict/*` and `service/settle_*` describe.
   RolloutSettings default_settings() const;
   void set_num_steps(int num_steps) { num_steps_ = num_steps; }
 
-  /// The scene with what cannot be predicted, or is beyond the model's limit, moved to scene.skipped. The model must be
-  /// loaded.
+  /// The scene with what cannot be predicted, or is beyond the most that the model takes, moved to scene.skipped. The
+  /// model must be loaded.
   ObservedScene usable_part(ObservedScene scene) const;
 
-  /// Predicts the usable part of the scene, as if there were nothing else. For requests of the numbers of steps in
-  /// `ends`; nothing is predicted before somebody wants a step.
+  /// Begins a rollout of the usable part of the scene, as if there were nothing else, for users who want the numbers of
+  /// steps in `ends`. Nothing is predicted before somebody wants a step.
   std::shared_ptr<BegunRollout> begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
                                       std::set<int> ends, JobLane lane);
 
-  /// All of it, for the forecast. Throws what the predictor throws.
+  /// Predicts the whole scene for the forecast that the node publishes. Throws what the predictor throws.
   SceneRollout roll_out(ObservedScene scene, const RolloutSettings& settings);
 
  private:

@@ -18,6 +18,7 @@ using rigidformer::Forecast;
 using rigidformer::ObjectState;
 using rigidformer::ObjectTrajectory;
 
+// Step number of an object that was never lost: it lies beyond every step that a rollout can have.
 constexpr int kNever = std::numeric_limits<int>::max();
 
 // Keeps the last finite pose of an object whose prediction is not finite, whatever the predictor says about it.
@@ -50,11 +51,11 @@ bool is_over(const std::shared_future<Forecast>& job) {
 
 }  // namespace
 
-// What the worker needs. In trained lengths and times.
+// What a job needs on the thread of the predictor, in the lengths and times that the model was trained on.
 struct SharedRollout::State {
   std::vector<ObjectState> objects;
   rigidformer::RolloutOptions options;
-  std::unique_ptr<rigidformer::Rollout> rollout;  // made on the thread of the predictor
+  std::unique_ptr<rigidformer::Rollout> rollout;  // The first job makes it: only its thread may call the predictor.
 };
 
 SharedRollout::SharedRollout(InferenceWorker& worker, const std::vector<ObjectState>& objects,

@@ -15,23 +15,26 @@
 
 namespace rigidformer_ros {
 
-/// One rollout of the predictor that any number of threads want steps of. Nobody is in charge: whoever wants more steps
-/// than there are asks the worker for the next few, and it goes on for as long as somebody wants more. It never has
-/// more than one job with the worker, so that rollouts take turns. In real lengths and times.
+/// One rollout of the predictor that any number of threads want steps of. No thread is in charge: whoever wants more
+/// steps than there are asks the worker for the next few, and the rollout goes on for as long as somebody wants more.
+/// It never has more than one job with the worker, so that rollouts take turns. All lengths and times are real ones.
 class SharedRollout {
  public:
   using Clock = std::chrono::steady_clock;
 
+  /// Steps of the predictor in one job. Jobs are short so that the forecast and other rollouts get their turn in
+  /// between. The number was chosen by eye.
   static constexpr int kStepsPerJob = 8;
 
-  /// Jobs end at multiples of kStepsPerJob and at `ends`, of which the last is the longest. `length_scale` is real
-  /// length / trained length. The worker must outlive the rollout.
+  /// A job ends at every multiple of kStepsPerJob and at every number in `ends`; the last of `ends` is the longest
+  /// rollout that anyone wants. `length_scale` is a real length divided by the length that the model sees. The worker
+  /// must outlive the rollout.
   SharedRollout(InferenceWorker& worker, const std::vector<rigidformer::ObjectState>& objects,
                 rigidformer::RolloutOptions options, double length_scale, std::set<int> ends, JobLane lane);
 
-  /// Everything from the observation on to step `num_steps`, at which a job must end; empty if `limit` passed first.
-  /// Diverged objects stand still from then on and keep their status. Throws if the predictor failed or the worker was
-  /// stopped.
+  /// Gives all poses from the observation up to step `num_steps`, at which a job must end. The result is empty if
+  /// `limit` passed first. A diverged object stands still from then on and keeps that status. Throws if the predictor
+  /// failed or the worker was stopped.
   std::optional<rigidformer::Forecast> advance_to(int num_steps, Clock::time_point limit);
 
   const std::vector<rigidformer::MotionMode>& modes() const { return modes_; }
@@ -48,14 +51,14 @@ class SharedRollout {
   const JobLane lane_;
   const double length_scale_;
   const std::set<int> ends_;
-  const std::shared_ptr<State> state_;  ///< Also held by the job, which may outlive this
+  const std::shared_ptr<State> state_;  ///< The job holds it too, because the job may outlive this object
   std::vector<rigidformer::MotionMode> modes_;
 
-  std::mutex mutex_;  ///< Guards what follows
+  std::mutex mutex_;  ///< Guards all members below
   rigidformer::Forecast forecast_;
-  std::vector<int> diverged_at_;  ///< One per object: end of the job that lost it
+  std::vector<int> diverged_at_;  ///< For each object the last step of the job that lost it
   int steps_done_ = 0;
-  std::shared_future<rigidformer::Forecast> job_;  ///< With the worker; else not valid
+  std::shared_future<rigidformer::Forecast> job_;  ///< The job that the worker has; not valid when it has none
   std::optional<std::string> failure_;
 };
 

@@ -16,7 +16,9 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
+// Names of the stages in /diagnostics, in the order of the enumeration Stage.
 constexpr std::array<const char*, kNumStages> kStageNames{"preprocess", "registration", "inference", "forecast"};
+// Most horizons listed in /diagnostics, evenly spread over all of them; chosen by eye. forecast_error has them all.
 constexpr std::size_t kMaxHorizonsShown = 8;
 
 }  // namespace

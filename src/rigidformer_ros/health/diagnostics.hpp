@@ -20,11 +20,11 @@
 
 namespace rigidformer_ros {
 
-/// Publishes the node's health on /diagnostics: model, input, tf, timing, forecast quality. It only reads what the
-/// lanes left for it, so that it reports while a lane hangs.
+/// Publishes the node's health on /diagnostics: model, input, tf, timing, forecast quality. It only reads values that
+/// the other threads left for it, so that it goes on reporting while one of them hangs.
 class NodeDiagnostics {
  public:
-  /// What is reported; must outlive the diagnostics.
+  /// The objects that the diagnostics report about. They must outlive the diagnostics.
   struct Sources {
     const SceneForecaster& forecaster;
     const RejectionLog& rejections;
@@ -37,7 +37,7 @@ class NodeDiagnostics {
   NodeDiagnostics(ros::NodeHandle& node, const ros::NodeHandle& private_node, const DiagnosticsParameters& parameters,
                   const Sources& sources);
 
-  /// The limits take effect with the next message. May be called from any thread.
+  /// Changes the limits, from the next message on. This may be called from any thread.
   void tune(const DiagnosticsParameters& parameters) { limits_.set(parameters); }
 
  private:
@@ -53,8 +53,8 @@ class NodeDiagnostics {
 
   Sources sources_;
   SharedValue<DiagnosticsParameters> limits_;
-  std::map<std::string, RejectionLog::Count> rejections_;  ///< Up to this update
-  std::map<std::string, RejectionLog::Count> rejections_before_;
+  std::map<std::string, RejectionLog::Count> rejections_;         ///< All rejections up to this update
+  std::map<std::string, RejectionLog::Count> rejections_before_;  ///< All rejections up to the update before it
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
 };

@@ -10,9 +10,12 @@ namespace rigidformer_ros {
 
 namespace {
 
+// Most poses of forecasts that wait for their observations; chosen by eye. At 64 bytes each they take about 6 MB.
 constexpr std::size_t kMaxKeptPoses = 100000;
+// Parts into which the window is cut; chosen by eye. An error is dropped together with all errors of its part.
 constexpr int kSlots = 10;
-constexpr std::uint64_t kMinSamples = 10;  // fewer comparisons say little about a horizon
+// Fewest comparisons from which a horizon can be trusted; chosen by eye. Fewer say little about it.
+constexpr std::uint64_t kMinSamples = 10;
 
 bool counts(const ObservedObject& object, const rigidformer::ObjectTrajectory& forecast) {
   return object.state.mode == rigidformer::MotionMode::kDynamic && !object.low_quality && !object.assumed_static &&
@@ -58,7 +61,7 @@ int ForecastCheck::compare(Expectation& expected, const TrackRecord& record) {
   for (; expected.next < expected.poses.size(); ++expected.next) {
     const rigidformer::Stamp instant = expected.t0 + rigidformer::to_duration(expected.times_s[expected.next]);
     if (instant > record.poses.newest_stamp()) {
-      break;  // not observed yet
+      break;  // Neither this step nor a later one has been observed yet.
     }
     const auto T_world_observed = record.poses.pose_at(instant);
     if (T_world_observed && !record.low_quality) {
@@ -83,7 +86,7 @@ void ForecastCheck::add_error(const Expectation& expected, const rigidformer::Ri
   ++sum.num_samples;
 }
 
-// Comparisons come nearly in the order of time: a late one goes to the oldest slot that is left.
+// Comparisons come nearly in the order of time. One that is too late for its own slot goes to the oldest that is left.
 ForecastCheck::Slot& ForecastCheck::slot_at(rigidformer::Stamp stamp) {
   const auto number =
       static_cast<std::int64_t>(std::floor(rigidformer::seconds_between({}, stamp) / window_s_ * kSlots));

@@ -18,50 +18,50 @@ namespace rigidformer_ros {
 using rigidformer::TrackRecord;
 using rigidformer::TrackRecords;
 
-/// Root mean square error of all forecasts compared at one horizon.
+/// Root mean square error of all forecasts that were compared at one horizon.
 struct HorizonError {
-  double horizon_s = 0.0;
-  double position_rmse_m = 0.0;
-  double rotation_rmse_rad = 0.0;
-  std::uint64_t num_samples = 0;
+  double horizon_s = 0.0;          ///< Time from the observation to the compared step [s]
+  double position_rmse_m = 0.0;    ///< Error of the origin [m]
+  double rotation_rmse_rad = 0.0;  ///< Error of the orientation, as an angle [rad]
+  std::uint64_t num_samples = 0;   ///< Number of comparisons
 };
 
 /// How good the forecasts have been lately.
 struct ForecastQuality {
-  std::vector<HorizonError> errors;
-  double trusted_horizon_s = 0.0;  ///< 0 = none or not known
+  std::vector<HorizonError> errors;  ///< Errors of all compared horizons, the shortest first
+  double trusted_horizon_s = 0.0;    ///< How far ahead forecasts were good [s]; 0 = nowhere, or not known
 };
 
-/// Compares forecasts with what was then observed. Forecasts of dynamic objects with a known velocity and a good
+/// Compares forecasts with what was then observed. Only forecasts of dynamic objects with a known velocity and a good
 /// registration count. Memory is bounded: errors are kept as sums, and while too many forecasts wait for their
-/// observations, new ones are passed over. Not thread safe.
+/// observations, new ones are passed over. The class is not thread safe.
 class ForecastCheck {
  public:
-  /// Comparisons count for `window_s` of observed time (to a tenth of it).
+  /// A comparison counts for `window_s` seconds of observed time. Old ones are dropped a tenth of the window at a time.
   explicit ForecastCheck(double window_s) : window_s_(window_s) {}
 
   /// Keeps the forecast until its horizon has been observed.
   void expect(const SceneRollout& rollout);
 
-  /// Compares what is kept with the poses observed since, interpolated between clouds. Forecasts of a track that ended
-  /// or restarted are dropped. Returns the number of comparisons.
+  /// Compares the kept forecasts with the poses observed since, interpolated between clouds. Forecasts of a track that
+  /// ended or restarted are dropped. Returns the number of comparisons.
   int compare(const TrackRecords& tracks);
 
-  /// Horizons that have been compared, in order.
+  /// The errors of all horizons that have been compared, the shortest horizon first.
   std::vector<HorizonError> errors() const;
 
-  /// Forgets forecasts and errors: when time jumped.
+  /// Forgets all forecasts and errors. This is needed when time jumped, because their stamps mean nothing then.
   void reset();
 
  private:
-  /// One object of one forecast, from the first step that is not observed yet.
+  /// The forecast of one object.
   struct Expectation {
     std::string id;
     std::uint64_t track = 0;
     rigidformer::Stamp t0;
     std::vector<double> times_s;
     std::vector<rigidformer::RigidTransform> poses;
-    std::size_t next = 1;
+    std::size_t next = 1;  ///< The first step that has not been observed yet
   };
   struct ErrorSum {
     double horizon_s = 0.0;
@@ -69,7 +69,7 @@ class ForecastCheck {
     double rotation_rad2 = 0.0;
     std::uint64_t num_samples = 0;
   };
-  /// Sums over a tenth of the window.
+  /// Sums of the errors in one part of the window.
   struct Slot {
     std::int64_t number = 0;
     std::vector<ErrorSum> steps;
@@ -85,10 +85,11 @@ class ForecastCheck {
   std::deque<Slot> slots_;
 };
 
-/// The arrays of the message; the header is left to the caller.
+/// Writes the quality as a message. The caller fills in the header.
 ForecastError to_message(const ForecastQuality& quality, double window_s);
 
-/// Largest horizon up to which all errors stay within both limits, from enough comparisons to tell; 0 = none.
+/// The largest horizon [s] up to which all errors stay within both limits and come from ten comparisons or more. It is
+/// 0 when there is none.
 double trusted_horizon_s(const std::vector<HorizonError>& errors, double max_position_m, double max_rotation_rad);
 
 }  // namespace rigidformer_ros

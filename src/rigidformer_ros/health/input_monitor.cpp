@@ -6,8 +6,10 @@ namespace rigidformer_ros {
 
 namespace {
 
-constexpr std::uint32_t kLargestGap = 1000;  // more is a restarted or a second publisher
-constexpr double kLargestDelay = 1.0;        // [s] a stamp that is older by more comes from a clock that jumped back
+// [clouds]; chosen by eye. A larger gap in the sequence means a restarted or a second publisher, not lost clouds.
+constexpr std::uint32_t kLargestGap = 1000;
+// [s]; chosen by eye. A stamp that is further behind the newest frame comes from a clock that jumped back.
+constexpr double kLargestDelay = 1.0;
 
 }  // namespace
 
@@ -15,7 +17,7 @@ void InputMonitor::received(const std::string& topic, std::uint32_t sequence) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++report_.received;
   const auto [last, is_new] = last_sequence_.try_emplace(topic, sequence);
-  const std::uint32_t gap = sequence - last->second - 1;  // wraps around where the number does
+  const std::uint32_t gap = sequence - last->second - 1;  // Unsigned: it wraps around where the sequence number does.
   if (!is_new && gap <= kLargestGap) {
     report_.lost += gap;
   }

@@ -10,29 +10,29 @@
 
 namespace rigidformer_ros {
 
-/// Reason of clouds that could not be brought into the fixed frame.
+/// The reason under which clouds are counted that could not be brought into the fixed frame.
 inline constexpr char kNoTransform[] = "no transform";
-/// Reason of forecasts that ended in an error.
+/// The reason under which forecasts are counted that ended in an error.
 inline constexpr char kFailedForecast[] = "failed forecast";
 /// Reason of objects that cannot be predicted.
 inline constexpr char kUnusableObject[] = "unusable object";
 
-/// Counts what was rejected, by reason. Safe to call from any thread.
+/// Counts what was rejected, by reason. All functions may be called from any thread.
 class RejectionLog {
  public:
-  /// `detail` says what happened this time; the newest one is kept as the example.
+  /// Counts one case. `detail` says what happened this time; the newest detail of a reason is kept as its example.
   void add(const std::string& reason, const std::string& detail);
 
-  /// One sentence per reason that occurred since the last call.
+  /// Gives one sentence for every reason that occurred since the last call.
   std::vector<std::string> take_report();
 
   struct Count {
-    std::uint64_t total = 0;     ///< Since the start
-    std::uint64_t reported = 0;  ///< Of these, in a report already
-    std::string detail;          ///< Of the newest
+    std::uint64_t total = 0;     ///< Cases since the start
+    std::uint64_t reported = 0;  ///< Cases that a report has told of already
+    std::string detail;          ///< What happened in the newest case
   };
 
-  /// By reason.
+  /// All counts since the start, by reason.
   std::map<std::string, Count> counts() const;
 
  private:

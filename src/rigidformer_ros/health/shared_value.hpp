@@ -7,7 +7,7 @@
 
 namespace rigidformer_ros {
 
-/// A value that one thread hands to others as a whole.
+/// A value that one thread hands to others. They always see a whole value, never one that is being written.
 template <class T>
 class SharedValue {
  public:

@@ -9,46 +9,55 @@
 
 namespace rigidformer_ros {
 
-/// What takes time between a cloud and a forecast. kForecast is a whole forecast: from the scene to the topics.
+/// The stages that take time between a cloud and a forecast: reading a cloud (kPreprocess), finding the object's pose
+/// (kRegistration), the rollout (kInference), and a whole forecast from the scene to the topics (kForecast).
 enum class Stage { kPreprocess, kRegistration, kInference, kForecast };
+/// The number of values of Stage.
 inline constexpr std::size_t kNumStages = 4;
 
+/// How long one stage took since the previous report.
 struct StageReport {
-  std::uint64_t runs = 0;  ///< Since the previous report; the times are of these
-  double mean_s = 0.0;
-  double max_s = 0.0;
+  std::uint64_t runs = 0;  ///< How often the stage ran
+  double mean_s = 0.0;     ///< Mean time of these runs [s]
+  double max_s = 0.0;      ///< Longest of these runs [s]
 };
 
+/// How long all stages took, and whether forecasts keep up.
 struct TimingReport {
-  std::array<StageReport, kNumStages> stages;
-  double late_s = 0.0;  ///< How long forecasts have been too slow in a row, the one in progress included; 0 = in time
+  std::array<StageReport, kNumStages> stages;  ///< One report per Stage, in the order of the enumeration
+  double late_s = 0.0;  ///< How long forecasts have been too slow in a row, with the one in progress [s]; 0 = in time
 };
 
-/// Measures the stages. Safe to call from any thread; a forecast that hangs shows as late while it hangs.
+/// Measures the stages. All functions may be called from any thread. A forecast that hangs is reported as late while it
+/// hangs.
 class TimingMonitor {
  public:
+  /// Counts one run of a stage.
   void add(Stage stage, double seconds);
 
-  /// A forecast begins and ends, in seconds of a clock that never jumps.
+  /// Notes that a forecast begins. `now_s` is the time of a clock that never jumps [s].
   void begin_forecast(double now_s);
+
+  /// Notes that the forecast ended. It was too slow if it took more than `max_processing_time_s`.
   void end_forecast(double now_s, double max_processing_time_s);
 
+  /// Makes a report and starts the sums anew.
   TimingReport take_report(double now_s, double max_processing_time_s);
 
  private:
   double late_s(double now_s, double max_processing_time_s) const;
 
   std::mutex mutex_;
-  std::array<StageReport, kNumStages> sums_;  ///< mean_s holds the sum
-  std::optional<double> forecast_since_s_;    ///< Beginning of the one in progress
-  std::optional<double> slow_since_s_;        ///< Beginning of the first of the latest slow ones in a row
-  double slow_until_s_ = 0.0;                 ///< End of the last of them
+  std::array<StageReport, kNumStages> sums_;  ///< Reports in the making; their mean_s holds the sum of the times
+  std::optional<double> forecast_since_s_;    ///< When the forecast in progress began
+  std::optional<double> slow_since_s_;        ///< When the first of the slow forecasts in a row began
+  double slow_until_s_ = 0.0;                 ///< When the last of the slow forecasts in a row ended
 };
 
-/// Seconds of a clock that never jumps.
+/// The time of a clock that never jumps [s].
 double steady_seconds();
 
-/// Measures a stage from here to the end of the scope.
+/// Measures a stage from the construction of the timer to its end.
 class StageTimer {
  public:
   StageTimer(TimingMonitor& monitor, Stage stage) : monitor_(monitor), stage_(stage), start_s_(steady_seconds()) {}
@@ -62,7 +71,7 @@ class StageTimer {
   double start_s_;
 };
 
-/// Measures a forecast from here to the end of the scope.
+/// Measures a whole forecast from the construction of the timer to its end.
 class ForecastTimer {
  public:
   ForecastTimer(TimingMonitor& monitor, double max_processing_time_s);

@@ -14,7 +14,7 @@
 
 namespace rigidformer_ros {
 
-/// No transform between two frames; what() names both and the stamp.
+/// Says that there is no transform between two frames. what() names both frames and the stamp.
 class TransformError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -23,12 +23,14 @@ class TransformError : public std::runtime_error {
 /// Brings poses and clouds into the fixed frame through tf.
 class FrameTransformer {
  public:
-  /// Waits up to `timeout_s` of wall time for a transform, so that a stopped clock cannot block it.
+  /// The transformer waits for a transform up to `timeout_s` seconds of wall time, so that a stopped clock cannot block
+  /// it.
   FrameTransformer(std::string fixed_frame, double timeout_s, const ros::NodeHandle& node);
 
-  /// Throws TransformError when the transform does not exist at `stamp`. An empty frame_id throws too.
+  /// Gives the transform from the frame into the fixed frame. Throws TransformError when there is none at `stamp`, and
+  /// for an empty frame_id.
   rigidformer::RigidTransform T_fixed_from(const std::string& frame_id, const ros::Time& stamp) const;
-  /// Same with a wait of its own [s].
+  /// Gives the transform as above, but waits `timeout_s` instead of the time given to the constructor.
   rigidformer::RigidTransform T_fixed_from(const std::string& frame_id, const ros::Time& stamp, double timeout_s) const;
 
   const std::string& fixed_frame() const { return fixed_frame_; }

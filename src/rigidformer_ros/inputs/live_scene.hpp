@@ -19,25 +19,31 @@ using rigidformer::ObjectObservation;
 using rigidformer::ObservedScene;
 using rigidformer::TrackRecords;
 
-/// The node's current view of the scene, shared between the input, forecast and service threads.
+/// The node's current view of the scene. The input, forecast and service threads share it.
 class LiveScene {
  public:
   LiveScene(const NodeParameters& parameters, RejectionLog& rejections);
 
-  /// Whether a cloud with this stamp can belong to the present: to ask before costly work. Counts a rejection.
+  /// Tells whether a cloud with this stamp can belong to the present. Callers ask this before costly work. If the
+  /// answer is no, a rejection is counted.
   bool accepts(const std::string& id, const ros::Time& stamp, const ros::Time& now);
 
-  /// Takes an observation in; rejections are counted.
+  /// Gives an observation to the tracks. If they refuse it, a rejection is counted.
   void add(const ObjectObservation& observation);
 
   /// Forgets everything when the clock has jumped back since the last call.
   void watch_clock(const ros::Time& now);
 
+  /// Forgets everything.
   void reset();
+
+  /// The newest scene: each object with its pose then and one time step earlier.
   ObservedScene snapshot(double time_step_s) const;
+
+  /// The poses at which each tracked object was seen.
   TrackRecords records() const;
 
-  /// Counts how often everything was forgotten: what was derived from an earlier epoch is void.
+  /// How often everything was forgotten. What was derived from the scene of an earlier epoch is void.
   std::uint64_t epoch() const;
 
  private:

@@ -14,7 +14,7 @@ namespace rigidformer_ros {
 
 namespace {
 
-// '*' is no legal character of a ROS name, so the node handle cannot resolve a pattern.
+// A node handle cannot resolve a pattern, because '*' is no legal character of a ROS name.
 std::string resolve_pattern(const ros::NodeHandle& node, const std::string& pattern) {
   if (pattern.empty() || pattern.front() == '/') {
     return pattern;
@@ -23,13 +23,14 @@ std::string resolve_pattern(const ros::NodeHandle& node, const std::string& patt
   return ns.back() == '/' ? ns + pattern : ns + "/" + pattern;
 }
 
-// None while the master is away. ros::master::getTopics() would wait for it, and the clouds of known objects with it.
+// Lists the published topics; the list is empty while the ROS master is away. ros::master::getTopics() would wait for
+// the master, and the clouds of known objects would wait too.
 ros::master::V_TopicInfo published_topics() {
   XmlRpc::XmlRpcValue request;
   XmlRpc::XmlRpcValue response;
   XmlRpc::XmlRpcValue list;
   request[0] = ros::this_node::getName();
-  request[1] = "";  // of every namespace
+  request[1] = "";  // Topics of every namespace are wanted.
   ros::master::V_TopicInfo topics;
   if (!ros::master::execute("getPublishedTopics", request, response, list, /*wait_for_master=*/false)) {
     return topics;

@@ -16,17 +16,17 @@
 
 namespace rigidformer_ros {
 
-/// Subscriptions to one PointCloud2 topic per object: the listed ones from the start, those that match the pattern as
-/// soon as somebody publishes them.
+/// Subscriptions to one PointCloud2 topic per object. Listed topics are subscribed to from the start, topics that match
+/// the pattern as soon as somebody publishes them.
 class ObjectTopics {
  public:
-  /// `source` says which object the cloud shows; its topic is the resolved name.
+  /// A function that takes a cloud. `source` says which object the cloud shows; its topic is the resolved name.
   using Handler = std::function<void(const ListedObject& source, const sensor_msgs::PointCloud2& cloud)>;
 
   /// Callbacks run on the callback queue of `node`.
   ObjectTopics(ros::NodeHandle& node, const InputParameters& input, Handler handler);
 
-  /// What is being listened to, for a message to the user.
+  /// Names the topics that are read, for a message to the user.
   std::string describe() const;
 
  private:
@@ -35,10 +35,10 @@ class ObjectTopics {
 
   ros::NodeHandle node_;
   InputParameters input_;
-  std::string pattern_;  ///< Resolved; empty = no discovery
+  std::string pattern_;  ///< The resolved pattern; empty = no search for new topics
   Handler handler_;
-  std::map<std::string, ros::Subscriber> subscribers_;  ///< By resolved topic
-  std::set<std::string> ids_;                           ///< That have a topic; a listed object keeps its own
+  std::map<std::string, ros::Subscriber> subscribers_;  ///< Subscriptions by resolved topic
+  std::set<std::string> ids_;                           ///< Objects with a topic; no second topic is taken for them
   ros::WallTimer discovery_timer_;
 };
 

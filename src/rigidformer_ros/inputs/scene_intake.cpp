@@ -31,7 +31,7 @@ void check_count(const Points& points, int max_points) {
 SceneIntake::SceneIntake(const NodeParameters& parameters, PatientFrameLookup T_fixed_from, const Sinks& sinks)
     : parameters_(parameters), T_fixed_from_(std::move(T_fixed_from)), sinks_(sinks) {}
 
-// An exception that leaves a subscriber callback would end the node.
+// All work on a message runs in here: an exception that leaves a subscriber callback would end the node.
 void SceneIntake::guard(const std::string& source, const std::function<void()>& work) {
   try {
     work();
@@ -119,7 +119,7 @@ void SceneIntake::take_scene(const std::string& topic, const ObjectClouds& cloud
 
 void SceneIntake::read_scene(const std::string& topic, const ObjectClouds& clouds) {
   if (is_empty(clouds) || !sinks_.scene.accepts(topic, clouds.header.stamp, ros::Time::now())) {
-    return;  // an empty message says that nothing was seen
+    return;  // An empty message is no error: it says that nothing was seen.
   }
   check_lengths(clouds, topic);
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.tf_timeout);
@@ -143,7 +143,8 @@ void SceneIntake::read_scene(const std::string& topic, const ObjectClouds& cloud
 void SceneIntake::add(ObjectObservation observation, const ros::WallTime& deadline) {
   const std::string& prefix = parameters_.input.pose_frame_prefix;
   if (!prefix.empty() && !observation.T_world_object && observation.mode == MotionMode::kStatic) {
-    observation.T_world_object = RigidTransform();  // needs no tracker: its frame is the fixed frame, for ever
+    // A static object needs no tracker: the fixed frame can always be its frame.
+    observation.T_world_object = RigidTransform();
   } else if (!prefix.empty() && !observation.T_world_object) {
     try {
       observation.T_world_object = look_up(prefix + observation.id, to_ros_time(observation.stamp), deadline);

@@ -21,15 +21,17 @@ namespace rigidformer_ros {
 using rigidformer::ObjectObservation;
 using rigidformer::RigidTransform;
 
-/// Transform from a frame into the fixed frame at an instant, waiting for it up to `timeout_s`; throws TransformError.
+/// A function that gives the transform from a frame into the fixed frame at an instant. It waits for the transform up
+/// to `timeout_s` seconds and then throws TransformError.
 using PatientFrameLookup =
     std::function<RigidTransform(const std::string& frame_id, const ros::Time& stamp, double timeout_s)>;
 
-/// The way of every cloud into the live scene, whatever topic it came on: stamp, points, fixed frame, material, pose.
-/// What cannot be used is counted by reason; nothing is thrown. `topic` names the source in messages.
+/// Brings every cloud into the live scene, whatever topic it came on: checks its stamp, reads its points, moves them
+/// into the fixed frame and adds material and pose. A cloud that cannot be used is counted by reason; nothing is
+/// thrown. `topic` is the name of the source in messages to the user.
 class SceneIntake {
  public:
-  /// What the intake feeds; all must outlive it.
+  /// The objects that the intake feeds. All of them must outlive it.
   struct Sinks {
     LiveScene& scene;
     RejectionLog& rejections;
@@ -39,13 +41,13 @@ class SceneIntake {
 
   SceneIntake(const NodeParameters& parameters, PatientFrameLookup T_fixed_from, const Sinks& sinks);
 
-  /// One object's cloud.
+  /// Takes the cloud of one object.
   void take_object(const ListedObject& source, const sensor_msgs::PointCloud2& cloud);
 
-  /// The whole scene with a label per point.
+  /// Takes a cloud of the whole scene with a label per point. An object that cannot be used does not hinder the others.
   void take_labelled(const std::string& topic, const sensor_msgs::PointCloud2& cloud);
 
-  /// The whole scene in our own message. An object that cannot be used does not hinder the others.
+  /// Takes the whole scene as ObjectClouds. An object that cannot be used does not hinder the others.
   void take_scene(const std::string& topic, const ObjectClouds& clouds);
 
  private:

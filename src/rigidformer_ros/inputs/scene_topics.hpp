@@ -18,7 +18,7 @@ namespace rigidformer_ros {
 /// Subscriptions to topics that show the whole scene at once: a cloud with labels, and ObjectClouds.
 class SceneTopics {
  public:
-  /// `topic` is the resolved name.
+  /// The functions that take the messages. `topic` is the resolved name of the topic.
   struct Handlers {
     std::function<void(const std::string& topic, const sensor_msgs::PointCloud2& cloud)> labelled;
     std::function<void(const std::string& topic, const ObjectClouds& clouds)> scene;
@@ -27,7 +27,7 @@ class SceneTopics {
   /// Callbacks run on the callback queue of `node`.
   SceneTopics(ros::NodeHandle& node, const InputParameters& input, Handlers handlers);
 
-  /// What is being listened to, for a message to the user; empty for nothing.
+  /// Names the topics that are read, for a message to the user. The text is empty when there is none.
   std::string describe() const;
 
  private:

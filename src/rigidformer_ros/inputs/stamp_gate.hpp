@@ -15,11 +15,13 @@ class StampGate {
   StampGate(double max_stamp_skew_s, double jump_threshold_s)
       : max_stamp_skew_s_(max_stamp_skew_s), jump_threshold_s_(jump_threshold_s) {}
 
-  /// True once for every backward jump of the clock beyond the threshold. Call it with the clock before using it.
+  /// Tells whether the clock has jumped back by more than the threshold since the last call. Callers must report every
+  /// new time of the clock here before they ask for an objection at that time.
   bool clock_restarted(const ros::Time& now);
 
-  /// Why `stamp` is not usable at `now`, naming the likely cause; empty when it is. After a restart of the clock,
-  /// stamps from its future are leftovers of the time before and refused beyond the jump threshold.
+  /// Says why `stamp` is not usable at `now` and names the likely cause. The result is empty when the stamp is usable.
+  /// Once the clock has restarted, a stamp ahead of it by more than the jump threshold is refused as a leftover from
+  /// the time before.
   std::optional<std::string> objection(const ros::Time& stamp, const ros::Time& now) const;
 
  private:

@@ -15,8 +15,10 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-constexpr double kLargestCoordinate = 1e6;  // [m]; beyond it single precision no longer resolves centimetres
+// [m]. Beyond this, single precision no longer resolves centimetres.
+constexpr double kLargestCoordinate = 1e6;
 
+// Where the coordinates lie in the data. The sizes [bytes] are held in 64 bits so that products of them fit.
 struct Layout {
   std::uint64_t width;
   std::uint64_t height;
@@ -59,7 +61,7 @@ void read_field_layout(const PointCloud2& cloud, Layout& layout) {
   layout.double_precision = datatype == PointField::FLOAT64;
 }
 
-// All products are taken in 64 bits: each factor is below 2^32.
+// Products of two sizes cannot overflow: each factor is below 2^32, and they are multiplied in 64 bits.
 Layout read_layout(const PointCloud2& cloud, std::uint64_t max_points) {
   Layout layout{cloud.width, cloud.height, cloud.point_step, cloud.row_step, {0, 0, 0}, false};
   const std::uint64_t count = layout.width * layout.height;
@@ -68,7 +70,7 @@ Layout read_layout(const PointCloud2& cloud, std::uint64_t max_points) {
                                 std::to_string(max_points));
   }
   if (count == 0) {
-    return {};  // not even rows: four billion empty ones would keep the reader busy
+    return {};  // A layout without rows: a message may claim four billion empty rows, which would keep the reader busy.
   }
   if (cloud.is_bigendian) {
     throw std::invalid_argument("is_bigendian: big-endian data is not supported");
@@ -76,7 +78,7 @@ Layout read_layout(const PointCloud2& cloud, std::uint64_t max_points) {
   read_field_layout(cloud, layout);
   const std::uint64_t packed_row = layout.width * layout.point_step;
   if (layout.row_step == 0 && cloud.data.size() == packed_row * layout.height) {
-    layout.row_step = packed_row;  // some drivers leave it out for packed data
+    layout.row_step = packed_row;  // Some drivers leave row_step at 0 when the data is packed.
   }
   if (layout.row_step < packed_row) {
     throw std::invalid_argument("row_step: is " + std::to_string(layout.row_step) + ", width x point_step is " +
@@ -94,7 +96,7 @@ template <typename Scalar>
 float read_coordinate(const std::uint8_t* bytes) {
   Scalar value;
   std::memcpy(&value, bytes, sizeof(value));
-  const bool usable = std::abs(static_cast<double>(value)) <= kLargestCoordinate;  // false for NaN
+  const bool usable = std::abs(static_cast<double>(value)) <= kLargestCoordinate;  // NaN compares false.
   return usable ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 

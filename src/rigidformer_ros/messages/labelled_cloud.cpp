@@ -17,7 +17,8 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-constexpr std::size_t kMostLabels = 256;  // more are numbers of something else than objects
+// Most labels of one cloud; chosen by eye. A field with more values numbers something else than objects.
+constexpr std::size_t kMostLabels = 256;
 
 std::uint64_t size_of(std::uint8_t datatype) {
   switch (datatype) {
@@ -85,7 +86,7 @@ std::uint32_t read_label(const std::uint8_t* bytes, std::uint8_t datatype) {
   }
 }
 
-// Point numbers by label. The layout of the cloud must have been checked.
+// Lists the row numbers of the points of each label. The caller must have checked the layout of the cloud.
 std::map<std::uint32_t, std::vector<int>> rows_by_label(const PointCloud2& cloud, const PointField& field) {
   const std::uint64_t point_step = cloud.point_step;
   const std::uint64_t row_step = cloud.row_step > 0 ? cloud.row_step : cloud.width * point_step;

@@ -17,13 +17,11 @@ inline constexpr char kPredictRollout[] = "predict_rollout";
 inline constexpr char kGetModelInfo[] = "get_model_info";
 inline constexpr char kReset[] = "reset";
 
-// In topics of one object, characters of its id that a ROS name cannot hold become '_'; ids that then are the same
-// share the topic.
-
-/// Topic of one object's points at the first predicted step.
+/// Topic of one object's points at the first predicted step. Characters of the id that a ROS name cannot hold become
+/// '_'; two objects whose ids then are equal share the topic.
 std::string predicted_points(const std::string& object_id);
 
-/// Topic of one object's predicted path.
+/// Topic of one object's predicted path. The id is changed in the same way as in predicted_points().
 std::string path(const std::string& object_id);
 
 }  // namespace rigidformer_ros::names

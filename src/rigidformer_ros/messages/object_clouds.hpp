@@ -12,15 +12,16 @@
 
 namespace rigidformer_ros {
 
-/// True when nothing in the message is filled.
+/// Tells whether all arrays of the message are empty.
 bool is_empty(const ObjectClouds& clouds);
 
-/// Throws std::invalid_argument when the arrays of `clouds` do not belong together or there is no object. `field` is
-/// the message's name in texts.
+/// Throws std::invalid_argument when the arrays of `clouds` have lengths that do not fit together, or when there is no
+/// object. `field` is what the text of the error calls the message.
 void check_lengths(const ObjectClouds& clouds, const std::string& field);
 
-/// Object `i` of a message whose arrays fit, in the fixed frame, with at most `max_points` points and the properties
-/// that the message gives. Throws std::invalid_argument naming what is at fault.
+/// Reads object `i` of a message that check_lengths() accepts, and moves it into the fixed frame. The object has the
+/// properties that the message gives and no others. Throws std::invalid_argument naming what is at fault, also for more
+/// than `max_points` points.
 rigidformer::ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, std::uint64_t max_points,
                                            const rigidformer::RigidTransform& T_fixed_cloud);
 

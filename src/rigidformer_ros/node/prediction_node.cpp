@@ -34,7 +34,7 @@ namespace rigidformer_ros {
 
 namespace {
 
-/// A node handle whose callbacks run on threads of their own: with one of them, one at a time.
+/// A node handle with a callback queue and threads of its own. With one thread, its callbacks run one at a time.
 struct Lane {
   explicit Lane(const ros::NodeHandle& parent, std::uint32_t num_threads = 1)
       : node(parent), spinner(num_threads, &queue) {
@@ -48,7 +48,7 @@ struct Lane {
 
 }  // namespace
 
-/// What the node is made of; later parts use earlier ones.
+/// The parts of the node. Later parts use earlier ones, so their order is that of construction.
 struct PredictionNode::Parts {
   Parts(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const NodeParameters& parameters,
         PredictorFactory make_predictor);
@@ -111,7 +111,7 @@ PredictionNode::Parts::Parts(const ros::NodeHandle& node, const ros::NodeHandle&
   ros::NodeHandle tuning_node(private_node);
   tuning_node.setCallbackQueue(&health_lane.queue);
   tuning = std::make_unique<TuningServer>(tuning_node, p, [this](const NodeParameters& tuned) { tune(tuned); });
-  // Wall timers: they also run while a simulated clock stands still.
+  // The report needs a wall timer, which also runs while a simulated clock stands still.
   report_timer = input_lane.node.createWallTimer(ros::WallDuration(p.diagnostics.report_period),
                                                  [this](const ros::WallTimerEvent&) { report_what_is_missing(); });
   for (Lane* lane : {&input_lane, &forecast_lane, &service_lane, &health_lane}) {
@@ -150,7 +150,7 @@ void PredictionNode::Parts::report_what_is_missing() {
 
 namespace {
 
-// package://NAME/PATH is a file of a ROS package; everything else is a path.
+// Turns package://NAME/PATH into the path of a file of the ROS package NAME. Every other text is a path already.
 std::string resolve_file(const std::string& file) {
   const std::string scheme = "package://";
   if (file.compare(0, scheme.size(), scheme) != 0) {
@@ -187,7 +187,8 @@ PredictionNode::~PredictionNode() = default;
 void PredictionNode::stop() { parts_->forecaster.stop(); }
 
 int run_prediction_node(const ModelLoader& make_predictor) {
-  // Beyond the try block: the end of the last handle shuts ROS down, and with it what would print the message below.
+  // These handles must outlive the try block: the end of the last handle shuts ROS down, and then the message of the
+  // catch block would not be printed.
   const ros::NodeHandle public_handle, private_handle("~");
   try {
     ShutdownLimit limit;
@@ -196,7 +197,7 @@ int run_prediction_node(const ModelLoader& make_predictor) {
     const int exit_code = wait_for_end();
     limit.start(exit_code);
     node.stop();
-    ros::shutdown();  // Waits for callbacks in progress
+    ros::shutdown();  // This waits for callbacks in progress.
     return exit_code;
   } catch (const std::invalid_argument& error) {
     ROS_FATAL_STREAM(error.what());

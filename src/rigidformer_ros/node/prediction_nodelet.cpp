@@ -13,7 +13,7 @@ namespace rigidformer_ros {
 /// The prediction node inside a nodelet manager, where clouds of other nodelets arrive without being copied.
 class PredictionNodelet : public nodelet::Nodelet {
  private:
-  // With an exception the manager refuses the nodelet, but it does not say why.
+  // An exception makes the manager refuse the nodelet, but the manager does not say why: the text is printed here.
   void onInit() override {
     try {
       node_ = std::make_unique<PredictionNode>(getNodeHandle(), getPrivateNodeHandle());

@@ -8,18 +8,18 @@
 
 namespace rigidformer_ros {
 
-/// Ends the process when it is still there 1 s of wall time after SIGINT (see catch_interrupt()) or start(): the
-/// loading of a model, a job of the network and a call of a master that does not answer cannot be interrupted. Nothing
-/// on disk is half-written then, as the node writes no files.
+/// Ends the process when it is still there 1 s of wall time after SIGINT (see catch_interrupt()) or start(). Three
+/// things cannot be interrupted: the loading of a model, a job of the network, and a call of a master that does not
+/// answer. No file is left half-written by this, because the node writes none.
 class ShutdownLimit {
  public:
   ShutdownLimit();
-  /// Nothing is left to be ended.
+  /// Gives up the limit: the process has ended in an orderly way.
   ~ShutdownLimit();
   ShutdownLimit(const ShutdownLimit&) = delete;
   ShutdownLimit& operator=(const ShutdownLimit&) = delete;
 
-  /// Without it the exit code is 0.
+  /// Starts the time limit and sets the exit code of a process that exceeds it. Without a call the code is 0.
   void start(int exit_code);
 
  private:
@@ -33,14 +33,14 @@ class ShutdownLimit {
   std::thread thread_;
 };
 
-/// From now on SIGINT ends wait_for_end() with exit code 0, so that the main thread shuts ROS down. The handler of
-/// roscpp, replaced here, leaves that to a thread of its own, which nobody waits for at the end of the process. Call it
-/// after ROS has started.
+/// Makes SIGINT end wait_for_end() with exit code 0, so that the main thread shuts ROS down. This replaces the handler
+/// of roscpp, which leaves the shutdown to a thread of its own that nobody waits for at the end of the process. It must
+/// be called after ROS has started, because ROS sets its handler then.
 void catch_interrupt();
 
-/// Waits for SIGINT, or until ROS begins to shut down: exit code 0. When a restarted master does not know this node,
-/// whose parameters and registrations went with the old one, says so and returns 1. A master that is away is waited
-/// for.
+/// Waits for SIGINT, or until ROS begins to shut down, and then returns 0. A master that is away is waited for. When a
+/// restarted master does not know this node, the function says so and returns 1: the parameters and registrations of
+/// the node went with the old master.
 int wait_for_end();
 
 }  // namespace rigidformer_ros

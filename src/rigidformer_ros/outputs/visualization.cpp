@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 
 namespace rigidformer_ros {
@@ -41,14 +42,20 @@ geometry_msgs::Point to_point(const Eigen::Vector3d& p) {
   return point;
 }
 
-std::string label_of(const ObservedObject& object, const rigidformer::ObjectTrajectory& forecast) {
-  if (forecast.status == rigidformer::ObjectTrajectory::Status::kDiverged) {
-    return object.state.id + " (diverged)";
+// The id, with what the status of the forecast warns of.
+std::string label_of(const std::string& id, std::uint8_t status) {
+  switch (status) {
+    case ObjectForecast::ASSUMED_STATIC:
+      return id + " (assumed static)";
+    case ObjectForecast::LOW_QUALITY:
+      return id + " (low quality)";
+    case ObjectForecast::DIVERGED:
+      return id + " (diverged)";
+    case ObjectForecast::OUT_OF_RANGE:
+      return id + " (out of range)";
+    default:
+      return id;
   }
-  if (object.low_quality) {
-    return object.state.id + " (low quality)";
-  }
-  return object.assumed_static ? object.state.id + " (assumed static)" : object.state.id;
 }
 
 }  // namespace
@@ -78,7 +85,7 @@ Marker ForecastVisualizer::make_label(const SceneRollout& rollout, std::size_t i
   label.pose.position.z = static_cast<double>(now.col(2).maxCoeff()) + display_.label_size;
   label.scale.z = display_.label_size;
   label.color = colour_of(object.state.id, 1.0F);
-  label.text = label_of(object, forecast);
+  label.text = label_of(object.state.id, status_of(rollout, index));
   return label;
 }
 

@@ -15,10 +15,10 @@
 
 namespace rigidformer_ros {
 
-/// Lets requests with the same key share one rollout, as long as it has not begun: what they get is never older than
-/// their question. A request waits for a begun rollout of its key only if that one is no longer than itself: the same
-/// question asked by many is answered for all who wait at once, and none waits for the end of a longer one. May be used
-/// from any thread.
+/// Lets requests with the same key share one rollout. They can join it only until it has begun, so that what they get
+/// is never older than their question. A request waits for the end of a begun rollout of its key only if that rollout
+/// has no more steps than the request itself. So everyone who waits with the same question is answered at once, and no
+/// request waits for the end of a longer rollout. The class may be used from any thread.
 template <typename Rollout>
 class RolloutGroups {
  private:
@@ -26,10 +26,10 @@ class RolloutGroups {
   using Groups = std::multimap<std::string, std::unique_ptr<Group>>;
 
  public:
-  /// Begins the rollout for requests of these numbers of steps; may throw.
+  /// A function that begins the rollout for requests of the numbers of steps in `ends`. It may throw.
   using Begin = std::function<std::shared_ptr<Rollout>(const std::set<int>& ends)>;
 
-  /// Of one request, from the question to the answer.
+  /// The place of one request in its group. It is held from the question to the answer.
   class Place {
    public:
     Place(RolloutGroups& all, const std::string& key, int num_steps)
@@ -38,8 +38,8 @@ class RolloutGroups {
     Place(const Place&) = delete;
     Place& operator=(const Place&) = delete;
 
-    /// The rollout of the group, begun by the first to come here; empty if `limit` passed while waiting. Throws what
-    /// `begin` throws; the next of the group then tries again.
+    /// Gives the rollout of the group, which the first request to come here begins. The result is empty if `limit`
+    /// passed while the request waited. Throws what `begin` throws; the next request of the group then tries again.
     std::shared_ptr<Rollout> begin(std::chrono::steady_clock::time_point limit, const Begin& begin) {
       Group& group = *entry_->second;
       if (!all_.wait_to_begin(entry_, num_steps_, limit)) {
@@ -60,9 +60,9 @@ class RolloutGroups {
 
  private:
   struct Group {
-    bool has_begun = false;  // nobody joins from then on
+    bool has_begun = false;  // Nobody can join from then on.
     int num_members = 0;
-    std::set<int> lengths;  // in steps, of all who joined
+    std::set<int> lengths;  // The numbers of steps that the members want.
     std::mutex beginning;
     std::shared_ptr<Rollout> rollout;
   };
@@ -98,7 +98,7 @@ class RolloutGroups {
     return true;
   }
 
-  // Whether no rollout that is worth waiting for is under way.
+  // Tells whether a request of this length may begin: no rollout is under way that it has to wait for.
   bool is_free(const std::string& key, int num_steps) const {
     const auto [first, last] = groups_.equal_range(key);
     return std::none_of(first, last, [num_steps](const auto& other) {

@@ -151,7 +151,18 @@ void check_history(const ObservedScene& scene, const std::vector<std::string>& i
   }
 }
 
-ObservedScene take_given_scene(const TrackStore& tracks, const Request& request, const rigidformer::ModelInfo& model,
+SceneSource read_source(const Request& request) {
+  const bool has_previous = !is_empty(request.previous_scene);
+  if (!is_empty(request.scene)) {
+    return has_previous ? SceneSource::kGivenAndBefore : SceneSource::kGiven;
+  }
+  if (has_previous) {
+    reject(Response::INVALID_REQUEST, "previous_scene: is filled although scene is empty");
+  }
+  return SceneSource::kLive;
+}
+
+ObservedScene take_given_scene(const TrackStore& tracks, bool has_previous, const rigidformer::ModelInfo& model,
                                double time_step_s) {
   ObservedScene scene = tracks.snapshot(time_step_s);
   if (model.max_objects > 0 && scene.objects.size() > static_cast<std::size_t>(model.max_objects)) {
@@ -159,7 +170,7 @@ ObservedScene take_given_scene(const TrackStore& tracks, const Request& request,
                                          " objects, the model takes at most " + std::to_string(model.max_objects));
   }
   for (const ObservedObject& object : scene.objects) {
-    if (!is_empty(request.previous_scene) && object.assumed_static) {
+    if (has_previous && object.assumed_static) {
       reject(Response::INSUFFICIENT_HISTORY,
              "previous_scene.header.stamp: lies too close to scene.header.stamp to tell the state one time_step of " +
                  number(time_step_s) + " s earlier (at most one frame is extrapolated)");
@@ -168,17 +179,15 @@ ObservedScene take_given_scene(const TrackStore& tracks, const Request& request,
   return scene;
 }
 
-ObservedScene read_given_scene(const Request& request, const NodeParameters& parameters, double default_time_step_s,
-                               const RequestSources& sources) {
-  const TrackStore tracks = track_scenes(request.scene, request.previous_scene, parameters, sources.T_fixed_from);
+ObservedScene read_given_scene(const Request& request, bool has_previous, const NodeParameters& parameters,
+                               double default_time_step_s, const RequestSources& sources) {
+  const TrackStore tracks =
+      track_scenes(request.scene, has_previous ? &request.previous_scene : nullptr, parameters, sources.T_fixed_from);
   const rigidformer::ModelInfo model = sources.model_for(tracks.snapshot(default_time_step_s));
-  return take_given_scene(tracks, request, model, read_time_step(request.time_step, default_time_step_s, model));
+  return take_given_scene(tracks, has_previous, model, read_time_step(request.time_step, default_time_step_s, model));
 }
 
 ObservedScene read_live_scene(const Request& request, double default_time_step_s, const RequestSources& sources) {
-  if (!is_empty(request.previous_scene)) {
-    reject(Response::INVALID_REQUEST, "previous_scene: is filled although scene is empty");
-  }
   const rigidformer::ModelInfo model = sources.model_for(sources.live_scene(default_time_step_s));
   ObservedScene scene = sources.live_scene(read_time_step(request.time_step, default_time_step_s, model));
   if (scene.objects.empty() && scene.skipped.empty()) {
@@ -209,6 +218,7 @@ RolloutTask read_task(const Request& request, const NodeParameters& parameters, 
   task.settings.stop_when_settled = request.stop_when_settled;
   task.selection.object_ids = request.object_ids;
   task.selection.record_every = read_record_every(request, task.settings.options.num_steps);
+  task.source = read_source(request);
   return task;
 }
 
@@ -226,15 +236,17 @@ std::string rollout_key(const Request& request) {
 }
 
 // The range of the time step may hang on the sizes in the scene, and the scene's velocities on the time step.
-ObservedScene read_scene(const Request& request, const NodeParameters& parameters, double default_time_step_s,
-                         const RequestSources& sources) {
-  return is_empty(request.scene) ? read_live_scene(request, default_time_step_s, sources)
-                                 : read_given_scene(request, parameters, default_time_step_s, sources);
+ObservedScene read_scene(const Request& request, SceneSource source, const NodeParameters& parameters,
+                         double default_time_step_s, const RequestSources& sources) {
+  if (source == SceneSource::kLive) {
+    return read_live_scene(request, default_time_step_s, sources);
+  }
+  return read_given_scene(request, source == SceneSource::kGivenAndBefore, parameters, default_time_step_s, sources);
 }
 
 void check_scene(const Request& request, const RolloutTask& task, const ObservedScene& scene,
                  const NodeParameters& parameters, const ros::Time& now) {
-  const bool is_live = is_empty(request.scene);
+  const bool is_live = task.source == SceneSource::kLive;
   if (is_live) {
     check_age(scene, now, read_duration(request.max_state_age, "max_state_age", parameters.service.max_state_age));
   }

@@ -14,8 +14,16 @@
 
 namespace rigidformer_ros {
 
-/// What one request asks for, whatever the scene.
+/// Where the scene of a request comes from.
+enum class SceneSource {
+  kLive,            ///< The node's newest state
+  kGiven,           ///< The request; its objects start at rest
+  kGivenAndBefore,  ///< The request, with an earlier scene that tells the velocities
+};
+
+/// What one request asks for.
 struct RolloutTask {
+  SceneSource source = SceneSource::kLive;
   RolloutSettings settings;
   ForecastSelection selection;
 };
@@ -36,8 +44,8 @@ RolloutTask read_task(const PredictRollout::Request& request, const NodeParamete
 /// Equal for requests whose steps come from one and the same rollout, if that begins while they wait.
 std::string rollout_key(const PredictRollout::Request& request);
 
-/// The scene, with the time step to predict it with.
-ObservedScene read_scene(const PredictRollout::Request& request, const NodeParameters& parameters,
+/// The scene of that source, with the time step to predict it with.
+ObservedScene read_scene(const PredictRollout::Request& request, SceneSource source, const NodeParameters& parameters,
                          double default_time_step_s, const RequestSources& sources);
 
 /// Whether all objects that are asked for take part in the scene.

@@ -8,9 +8,7 @@
 
 #include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/messages/names.hpp"
-#include "rigidformer_ros/messages/object_clouds.hpp"
 #include "rigidformer_ros/services/request_error.hpp"
-#include "rigidformer_ros/services/rollout_request.hpp"
 
 namespace rigidformer_ros {
 
@@ -67,7 +65,7 @@ class Presence {
   Presence(const Presence&) = delete;
   Presence& operator=(const Presence&) = delete;
 
-  /// Clients present when this one came, itself included.
+  /// The number of clients that were present when this one came, with itself.
   int number() const { return number_; }
 
  private:
@@ -122,7 +120,7 @@ Response RolloutService::answer(const Request& request) {
   }
 }
 
-std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, const RolloutSettings& settings,
+std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, const RolloutTask& task,
                                                     const std::set<int>& ends) {
   RequestSources sources;
   sources.live_scene = [this](double time_step_s) { return live_scene_.snapshot(time_step_s); };
@@ -130,8 +128,8 @@ std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, cons
   sources.T_fixed_from = [this](const std::string& frame_id, const ros::Time& stamp) {
     return frames_.T_fixed_from(frame_id, stamp);
   };
-  rigidformer::RolloutOptions options = settings.options;
-  ObservedScene scene = read_scene(request, parameters_, options.time_step_s, sources);
+  rigidformer::RolloutOptions options = task.settings.options;
+  ObservedScene scene = read_scene(request, task.source, parameters_, options.time_step_s, sources);
   options.time_step_s = scene.time_step_s;
   return forecaster_.begin(std::move(scene), options, ends, JobLane::kRequest);
 }
@@ -140,7 +138,7 @@ Response RolloutService::answer_ready(const Request& request, SharedRollout::Clo
   RolloutTask task = read_task(request, parameters_, forecaster_.default_settings());
   RolloutGroups<BegunRollout>::Place place(groups_, rollout_key(request), task.settings.options.num_steps);
   const std::shared_ptr<BegunRollout> begun = place.begin(
-      time_limit(task.settings, asked), [&](const std::set<int>& ends) { return begin(request, task.settings, ends); });
+      time_limit(task.settings, asked), [&](const std::set<int>& ends) { return begin(request, task, ends); });
   if (!begun) {
     return failure(Response::TIMED_OUT, "max_wall_time: " + std::to_string(task.settings.max_wall_time_s) +
                                             " s passed while other requests were answered");
@@ -151,7 +149,7 @@ Response RolloutService::answer_ready(const Request& request, SharedRollout::Clo
                        /*trusted_horizon_s=*/0.0};
   skip_unusable(rollout);
   check_object_ids(request.object_ids, rollout.scene);  // the predictor may have found more of them
-  if (is_empty(request.scene)) {
+  if (task.source == SceneSource::kLive) {
     rollout.trusted_horizon_s = quality_.get().trusted_horizon_s;  // measured on the live scene
   }
 

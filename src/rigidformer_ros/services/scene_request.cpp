@@ -54,14 +54,6 @@ RigidTransform look_up(const ObjectClouds& clouds, const std::string& field, con
   }
 }
 
-void check_size(const ObjectObservation& object, int min_points) {
-  const std::size_t finite = rigidformer::finite_rows(object.points_world).size();
-  if (finite < static_cast<std::size_t>(min_points)) {
-    throw std::invalid_argument("has " + std::to_string(finite) + " finite points, needs at least " +
-                                std::to_string(min_points));
-  }
-}
-
 void check_same_objects(const ObjectClouds& scene, const ObjectClouds& previous) {
   for (const std::string& id : scene.ids) {
     if (std::count(previous.ids.begin(), previous.ids.end(), id) == 0) {
@@ -83,13 +75,24 @@ void check_interval(const ObjectClouds& scene, const ObjectClouds& previous, con
   }
 }
 
-// What a track is asked to take in must belong to it, and come with a pose where poses are asked for.
-void require_taken(AddResult result, const std::string& field, const std::string& id, bool must_extend) {
+std::string too_few_points(const ObjectObservation& object, int min_points) {
+  return "has " + std::to_string(rigidformer::finite_rows(object.points_world).size()) +
+         " finite points, needs at least " + std::to_string(min_points);
+}
+
+// What a track is asked to take in must have points enough, belong to it, and come with a pose where poses are asked
+// for.
+void take(TrackStore& tracks, const ObjectObservation& object, const std::string& field, int min_points,
+          bool must_extend) {
+  const AddResult result = tracks.add(object);
   if (result == AddResult::kNoPose) {
-    reject(field + ".poses: lacks the pose of '" + id + "', correspondence/method is pose");
+    reject(field + ".poses: lacks the pose of '" + object.id + "', correspondence/method is pose");
+  }
+  if (result == AddResult::kTooFewPoints) {
+    reject(field + " object '" + object.id + "': " + too_few_points(object, min_points));
   }
   if (must_extend && result != AddResult::kExtended && result != AddResult::kLowQuality) {
-    reject("previous_scene object '" + id +
+    reject("previous_scene object '" + object.id +
            "': other points than in scene, or a motion faster than history/max_speed or max_angular_speed");
   }
 }
@@ -106,7 +109,6 @@ std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std:
     try {
       objects.push_back(read_object(clouds, i, static_cast<std::uint64_t>(parameters.input.max_points), T_fixed_cloud));
       resolve_properties(parameters.properties, objects.back());
-      check_size(objects.back(), parameters.input.min_points);
     } catch (const std::invalid_argument& error) {
       reject(field + " object " + std::to_string(i) + " '" + clouds.ids[i] + "': " + error.what());
     }
@@ -114,19 +116,19 @@ std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std:
   return objects;
 }
 
-TrackStore track_scenes(const ObjectClouds& scene, const ObjectClouds& previous, const NodeParameters& parameters,
+TrackStore track_scenes(const ObjectClouds& scene, const ObjectClouds* previous, const NodeParameters& parameters,
                         const FrameLookup& T_fixed_from) {
   TrackStore tracks(tracking_options(parameters));
-  const bool has_previous = !is_empty(previous);
-  if (has_previous) {
-    for (const ObjectObservation& object : read_scene(previous, "previous_scene", parameters, T_fixed_from)) {
-      require_taken(tracks.add(object), "previous_scene", object.id, false);
+  const int min_points = parameters.input.min_points;
+  if (previous != nullptr) {
+    for (const ObjectObservation& object : read_scene(*previous, "previous_scene", parameters, T_fixed_from)) {
+      take(tracks, object, "previous_scene", min_points, false);
     }
-    check_same_objects(scene, previous);
-    check_interval(scene, previous, parameters.history);
+    check_same_objects(scene, *previous);
+    check_interval(scene, *previous, parameters.history);
   }
   for (const ObjectObservation& object : read_scene(scene, "scene", parameters, T_fixed_from)) {
-    require_taken(tracks.add(object), "scene", object.id, has_previous);
+    take(tracks, object, "scene", min_points, previous != nullptr);
   }
   return tracks;
 }

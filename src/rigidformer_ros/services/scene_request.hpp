@@ -25,9 +25,9 @@ using FrameLookup = std::function<RigidTransform(const std::string& frame_id, co
 std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std::string& field,
                                           const NodeParameters& parameters, const FrameLookup& T_fixed_from);
 
-/// Tracks of a scene given in a request and, if `previous` is filled, of what was seen before it. Throws RequestError
-/// when the two do not belong together.
-TrackStore track_scenes(const ObjectClouds& scene, const ObjectClouds& previous, const NodeParameters& parameters,
+/// Tracks of a scene given in a request and of what was seen before it, null = nothing. Throws RequestError when the
+/// two do not belong together.
+TrackStore track_scenes(const ObjectClouds& scene, const ObjectClouds* previous, const NodeParameters& parameters,
                         const FrameLookup& T_fixed_from);
 
 }  // namespace rigidformer_ros

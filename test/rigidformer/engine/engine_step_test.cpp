@@ -6,6 +6,7 @@
 
 #include "rigidformer/model/base_motion.hpp"
 #include "rigidformer/model/random_scene.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 #include "rigidformer/simulation/bullet_world.hpp"
 #include "rigidformer/simulation/convex_hull.hpp"
 
@@ -156,6 +157,22 @@ TEST(EngineStep, OnlyRatiosOfMassesMatter) {
   const Pose grams = after_collision(0.001), tons = after_collision(1000.0);
   EXPECT_LT(largest_difference(grams.translation, tons.translation), 1e-4);
   EXPECT_LT(largest_difference(grams.rotation, tons.rotation), 1e-4);
+}
+
+TEST(EngineStep, UnknownMaterialIsTheMeanOfTheScenes) {
+  const auto slides = [](const Tensor& properties, double known) {
+    Cubes cubes(1);
+    cubes.place(0, {0.0, 0.0, 0.5}, {2.0, 0.0, -1.0});
+    cubes.batch.properties.copy_(properties);
+    cubes.batch.properties_known.fill_(known);
+    return cubes.roll_out(4);
+  };
+  const Pose means = slides(torch::tensor({kMeanDensity, kMeanFriction, kMeanRestitution}, torch::kFloat64), 1.0);
+  const Pose unknown = slides(torch::zeros({3}, torch::kFloat64), 0.0);
+  const Pose smoother = slides(torch::tensor({kMeanDensity, 0.5, kMeanRestitution}, torch::kFloat64), 1.0);
+  EXPECT_EQ(largest_difference(unknown.translation, means.translation), 0.0);
+  EXPECT_EQ(largest_difference(unknown.rotation, means.rotation), 0.0);
+  EXPECT_GT(largest_difference(unknown.translation, smoother.translation), 1e-3);
 }
 
 TEST(EngineStep, ImpossibleSpeedsStayFinite) {

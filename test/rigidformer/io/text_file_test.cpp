@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/io/text_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "rigidformer/io/full_disk.hpp"
 
@@ -34,6 +37,24 @@ TEST(TextFile, AFullDiskIsAClearErrorAndKeepsTheOldFile) {
   EXPECT_NE(message.find("cannot write: File too large"), std::string::npos) << message;
   EXPECT_EQ(read_text_file(path, 10), "old");
   EXPECT_EQ(count_files(folder.path()), 1);
+}
+
+TEST(TextFile, TheErrorOfASavedFileNamesIt) {
+  EXPECT_NE(error_of([] { save_text_file("/nonexistent/text", "x"); }).find("'/nonexistent/text': cannot write"),
+            std::string::npos);
+}
+
+TEST(TextFile, APipeStaysAPipe) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int pipe = open(path.c_str(), O_RDWR | O_NONBLOCK);
+  write_text_file(path, "text");
+  char read_back[8] = {};
+  EXPECT_EQ(read(pipe, read_back, sizeof(read_back)), 4);
+  EXPECT_STREQ(read_back, "text");
+  close(pipe);
+  EXPECT_TRUE(std::filesystem::is_fifo(path));
 }
 
 TEST(JsonNesting, CountsBracketsOutsideOfStrings) {

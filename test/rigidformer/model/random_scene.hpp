@@ -33,6 +33,7 @@ void for_each_object_tensor(RandomScene& scene, Visitor&& visit) {
                          &b.properties_known, &b.dynamic_mask}) {
     visit(*tensor);
   }
+  if (b.normals_reference.defined()) visit(b.normals_reference);
   for (Pose* pose : {&scene.state.first, &scene.state.previous, &scene.state.current}) {
     visit(pose->rotation);
     visit(pose->translation);
@@ -93,6 +94,9 @@ inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vecto
   scene.state.previous = nudged(scene.state.current);
   scene.state.first = nudged(scene.state.previous);
 
+  b.normals_reference = torch::randn({B, K, N, 3}, like);
+  b.normals_reference = b.normals_reference / b.normals_reference.norm(2, -1, true) * b.point_mask.unsqueeze(-1);
+
   const auto convert = [type](Tensor& tensor) {
     if (tensor.is_floating_point()) tensor = tensor.to(type);
   };
@@ -106,6 +110,7 @@ inline ModelOptions contact_aware(ModelOptions options) {
   options.inertial_base_motion = options.contact_gate = options.centre_of_mass_head = true;
   options.position_feature = options.contact_features = options.property_mask = true;
   options.own_token_in_query = options.velocity_output = options.end_velocity_output = true;
+  options.local_planes = true;
   options.reference_offset_feature = false;
   return options;
 }

@@ -23,6 +23,7 @@ RandomScene reordered_points(RandomScene scene) {
   SceneBatch& b = scene.batch;
   const Tensor order = (torch::rand(b.point_mask.sizes()) + b.point_mask.logical_not()).argsort();  // valid first
   b.points_reference = gather_points(b.points_reference, order);
+  b.normals_reference = gather_points(b.normals_reference, order);
   b.anchor_index = order.argsort().gather(-1, b.anchor_index);
   return scene;
 }
@@ -30,7 +31,9 @@ RandomScene reordered_points(RandomScene scene) {
 /// More rows of points and objects, filled with values that must not matter.
 RandomScene padded(RandomScene scene, int64_t more_objects, int64_t more_points) {
   SceneBatch& b = scene.batch;
-  b.points_reference = torch::constant_pad_nd(b.points_reference, {0, 0, 0, more_points, 0, more_objects}, 7.5);
+  for (Tensor* rows : {&b.points_reference, &b.normals_reference}) {
+    *rows = torch::constant_pad_nd(*rows, {0, 0, 0, more_points, 0, more_objects}, 7.5);
+  }
   b.point_mask = torch::constant_pad_nd(b.point_mask, {0, more_points, 0, more_objects}, false);
   for (Tensor* mask : {&b.object_mask, &b.dynamic_mask})
     *mask = torch::constant_pad_nd(*mask, {0, more_objects}, false);
@@ -53,6 +56,7 @@ RandomScene alone(RandomScene scene, int64_t i) {
   for_each_object_tensor(scene, [&](Tensor& tensor) { tensor = tensor.slice(0, i, i + 1).slice(1, 0, K); });
   for_each_scene_tensor(scene, [&](Tensor& tensor) { tensor = tensor.slice(0, i, i + 1); });
   scene.batch.points_reference = scene.batch.points_reference.slice(2, 0, N);
+  scene.batch.normals_reference = scene.batch.normals_reference.slice(2, 0, N);
   scene.batch.point_mask = scene.batch.point_mask.slice(2, 0, N);
   return scene;
 }

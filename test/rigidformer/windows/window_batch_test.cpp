@@ -8,6 +8,7 @@
 
 #include "rigidformer/data/example_archive.hpp"
 #include "rigidformer/model/random_scene.hpp"
+#include "rigidformer/model/scene_input.hpp"
 #include "window_scenes.hpp"
 
 namespace rigidformer {
@@ -210,6 +211,25 @@ TEST_F(WindowBatchTest, TheWholeSurfaceHasTheSidesThatNobodySees) {
   const Tensor whole = batch.whole_surface[0][2].index({batch.whole_mask[0][2]});
   EXPECT_EQ(faces(whole, 3.0).size(), 6u);  // and no noise
   EXPECT_FALSE(batch.whole_mask[1][2].any().item<bool>()) << "no such object";
+}
+
+TEST_F(WindowBatchTest, NormalsAreWhatAPredictorMakesOfTheSamePoints) {
+  AugmentationOptions options = no_augmentation(256);  // all points of the sets
+  const SceneBatch scene = make(options).scene;
+  ModelOptions model = contact_aware(model_preset("tiny"));
+  for (int64_t k = 0; k < 3; ++k) {
+    const Tensor points = valid_points(scene, 0, k).contiguous();
+    ObjectState object;
+    object.points_reference = Eigen::Map<const Points>(points.data_ptr<float>(), points.size(0), 3);
+    const SceneBatch seen = make_scene_input({object}, {}, model, 256).batch;
+    const Tensor normals = scene.normals_reference[0][k].index({scene.point_mask[0][k]});
+    EXPECT_LT(largest_difference(seen.normals_reference[0][0].index({seen.point_mask[0][0]}), normals), 1e-3);
+    EXPECT_LT(largest_difference(normals.norm(2, -1), torch::ones({points.size(0)})), 1e-5);
+  }
+  options.vertex_probability = 1.0;
+  const SceneBatch corners = make(options).scene;
+  const Tensor diagonals = valid_points(corners, 0, 0) / (0.5 * std::sqrt(3.0));
+  EXPECT_LT(largest_difference(corners.normals_reference[0][0].slice(0, 0, 8), diagonals), 1e-3);
 }
 
 TEST_F(WindowBatchTest, NoStepsMeansTheTwoGivenPoses) {

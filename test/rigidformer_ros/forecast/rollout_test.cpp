@@ -23,6 +23,7 @@ using rigidformer::ObjectState;
 using testing::blob;
 using testing::Flight;
 
+// [s]. A round number within the range that BallisticPredictor states (1/240 to 1/24 s).
 constexpr double kTimeStep = 0.04;
 
 std::unique_ptr<InferenceWorker> ready_worker(PredictorFactory make) {
@@ -50,7 +51,7 @@ RolloutSettings settings(int steps) {
   return s;
 }
 
-// Of one user.
+// Makes a rollout that has one user.
 RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<ObjectState>& objects, const RolloutSettings& s,
                         double length_scale = 1.0) {
   SharedRollout rollout(worker, objects, s.options, length_scale, {s.options.num_steps}, JobLane::kForecast);
@@ -59,7 +60,7 @@ RolloutOutcome roll_out(InferenceWorker& worker, const std::vector<ObjectState>&
 
 rigidformer::Forecast predict_nothing(rigidformer::Predictor& predictor) { return predictor.predict({}, {}); }
 
-// Loses the object "bad" from the third step of every call on.
+// A predictor that gives the object "bad" a pose that is not finite from the third step of every call on.
 class FaultyPredictor : public BallisticPredictor {
  public:
   rigidformer::Forecast predict(const std::vector<ObjectState>& objects,
@@ -74,7 +75,7 @@ class FaultyPredictor : public BallisticPredictor {
   }
 };
 
-// Stops the worker that runs it at its third call.
+// A predictor that stops its own worker in the third call, as a shutdown in the middle of a rollout would.
 class StoppingPredictor : public BallisticPredictor {
  public:
   explicit StoppingPredictor(const std::unique_ptr<InferenceWorker>& worker) : worker_(worker) {}
@@ -113,7 +114,7 @@ TEST(Rollout, FollowsTheParabolaAcrossJobs) {
   }
 }
 
-// Notes every start and every advance of the rollouts that are asked of it.
+// A predictor that notes every start and the number of steps of every advance of its rollouts.
 class CountingPredictor : public BallisticPredictor {
  public:
   explicit CountingPredictor(std::vector<std::string>& calls) : calls_(calls) {}
@@ -132,7 +133,7 @@ class CountingPredictor : public BallisticPredictor {
   std::vector<std::string>& calls_;
 };
 
-// What a predictor carries from step to step would be lost if every job began anew.
+// All jobs must belong to one rollout: what a predictor carries from step to step would be lost if each began anew.
 TEST(Rollout, IsOneRolloutOfThePredictorInShortJobs) {
   std::vector<std::string> calls;
   const auto worker = ready_worker([&] { return std::make_unique<CountingPredictor>(calls); });
@@ -222,7 +223,7 @@ TEST(InferenceWorker, P15_says_why_the_model_is_missing_and_passes_errors_on) {
   EXPECT_THROW(worker->run(predict_nothing, JobLane::kForecast).get(), std::runtime_error);
 }
 
-// Its warm-up lasts until somebody allows it to end.
+// A predictor whose warm-up lasts until the test allows it to end.
 class WarmingPredictor : public BallisticPredictor {
  public:
   explicit WarmingPredictor(std::shared_future<void> warm) : warm_(std::move(warm)) {}

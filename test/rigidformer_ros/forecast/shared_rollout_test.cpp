@@ -26,11 +26,13 @@ using rigidformer::ObjectState;
 using Clock = SharedRollout::Clock;
 using Status = rigidformer::ObjectTrajectory::Status;
 
+// [s]. A round number within the range that BallisticPredictor states (1/240 to 1/24 s).
 constexpr double kTimeStep = 0.04;
+// A time limit that never passes: an hour is longer than any test runs.
 const Clock::time_point kLongTime = Clock::now() + std::chrono::hours(1);
 
-// Notes every job as "object steps". An object "bad" is lost at the sixth step after the observation, "throws" in its
-// second job.
+// A predictor that notes every job as its first object's id and its number of steps, such as "a 8". The object "bad"
+// is lost at the sixth step after the observation. The second job of the object "throws" throws.
 class NotingPredictor : public BallisticPredictor {
  public:
   explicit NotingPredictor(std::vector<std::string>& jobs) : jobs_(jobs) {}
@@ -75,7 +77,7 @@ class SharedRolloutTest : public ::testing::Test {
                                            lane);
   }
 
-  // Keeps the predictor busy until the promise is kept.
+  // Keeps the predictor busy until the test sets the promise of `until`.
   std::future<Forecast> occupy(std::shared_future<void> until) {
     return worker->run(
         [until](rigidformer::Predictor&) {
@@ -95,7 +97,7 @@ class SharedRolloutTest : public ::testing::Test {
     return s;
   }
 
-  std::vector<std::string> jobs;  // read only while the worker has none
+  std::vector<std::string> jobs;  // The worker's thread writes it: a test may read it only while no job is running.
   std::unique_ptr<InferenceWorker> worker =
       std::make_unique<InferenceWorker>([this] { return std::make_unique<NotingPredictor>(jobs); });
 };
@@ -138,7 +140,7 @@ TEST_F(SharedRolloutTest, WhoEndsBeforeAnObjectIsLostIsNotToldOfIt) {
   EXPECT_EQ(shorter.stop_reason, StopReason::kHorizon);
 }
 
-// All of them hand in one job and wait; who has had a turn goes to the end of the queue.
+// Each of the three rollouts hands in one job and waits. After its turn a rollout goes to the end of the queue.
 TEST_F(SharedRolloutTest, RequestsTakeTurns) {
   std::promise<void> go;
   const auto busy = occupy(go.get_future().share());

@@ -11,15 +11,18 @@
 namespace rigidformer_ros {
 namespace {
 
+// [s]. A round number that makes the horizons easy to read; the check takes any step.
 constexpr double kTimeStep = 0.1;
+// [rad]
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-/// Moves along x with 1 m/s and turns about z with 90 degrees per second.
+/// The true motion of every object: it moves along x with 1 m/s and turns about z with 90 degrees per second.
 RigidTransform truth(double t) {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(90.0 * kDegree * t, Eigen::Vector3d::UnitZ())), {t, 0.0, 0.0}};
 }
 
-/// A forecast of `ids` from t0 whose error grows with every step by this much.
+/// A forecast of the objects `ids` from t0. With every step its position error grows by `position_error_m` and its
+/// rotation error by `angle_error_rad`.
 SceneRollout forecast(const std::vector<std::string>& ids, double t0, double position_error_m, double angle_error_rad,
                       int steps = 4, std::uint64_t track = 7) {
   SceneRollout rollout;
@@ -44,7 +47,7 @@ SceneRollout forecast(const std::vector<std::string>& ids, double t0, double pos
   return rollout;
 }
 
-/// The true motion, seen at 30 Hz in [from, to].
+/// The record of a track that saw the true motion at 30 Hz from time `from` to time `to` [s].
 TrackRecord seen(double from, double to, std::uint64_t track = 7) {
   TrackRecord record;
   record.track = track;

@@ -13,8 +13,8 @@ TEST(InputMonitor, CountsCloudsAndGapsPerTopic) {
     monitor.received("/a", sequence);
   }
   monitor.received("/b", 500);
-  monitor.received("/b", 0);           // its publisher restarted
-  monitor.received("/a", 2000000000);  // a second publisher
+  monitor.received("/b", 0);           // The publisher of /b restarted and counts from 0 again.
+  monitor.received("/a", 2000000000);  // A second publisher of /a has a count of its own.
   const InputReport report = monitor.take_report(ros::Time(5.0), 1.0);
   EXPECT_EQ(report.received, 6U);
   EXPECT_EQ(report.lost, 3U);
@@ -42,7 +42,8 @@ TEST(InputMonitor, TheRateIsThatSinceThePreviousReport) {
 
 TEST(InputMonitor, CountsFramesAndForecasts) {
   InputMonitor monitor;
-  for (const double stamp_s : {10.0, 10.0, 10.1, 10.0, 10.1, 10.2, 3.0, 3.0}) {  // of two topics; the clock restarts
+  // These are the stamps of clouds from two topics; before the last two clouds the clock restarts.
+  for (const double stamp_s : {10.0, 10.0, 10.1, 10.0, 10.1, 10.2, 3.0, 3.0}) {
     monitor.used(ros::Time(stamp_s));
   }
   monitor.forecast_made();

@@ -11,7 +11,8 @@ namespace {
 
 class LiveSceneTest : public ::testing::Test {
  protected:
-  // The flight's cloud at time `t`, arriving when the clock shows `now`.
+  // Gives the scene the cloud of the flight at time `t`, which arrives when the clock shows `now`. Both are in seconds;
+  // the flight begins at 100 s.
   bool add(double t, double now) {
     if (!scene.accepts("a", ros::Time(t), ros::Time(now))) {
       return false;

@@ -21,7 +21,9 @@ using rigidformer::MotionMode;
 using testing::blob;
 using testing::LabelledCloudMaker;
 
+// Time of the clock [s] during all tests; any time but 0, which means that the clock has not started.
 const ros::Time kNow(100.0);
+// Pose of the camera in the fixed frame, turned so that clouds which are not moved out of its frame are noticed.
 const RigidTransform kCamera{Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX())), {1.0, 2.0, 3.0}};
 
 class SceneIntakeTest : public ::testing::Test {
@@ -33,7 +35,7 @@ class SceneIntakeTest : public ::testing::Test {
     parameters.input.label_names = {{2, "table", MotionMode::kStatic, {}}, {3, "cup", MotionMode::kKinematic, {}}};
   }
 
-  // As tf would answer; a frame that does not exist costs the whole wait.
+  // Answers as tf would: asking for a frame that does not exist takes the whole timeout.
   RigidTransform look_up(const std::string& frame, double timeout_s) {
     const auto found = frames.find(frame);
     if (found == frames.end()) {
@@ -123,7 +125,8 @@ TEST_F(SceneIntakeTest, PropertiesComeFromTheLabelThenTheRules) {
 
 TEST_F(SceneIntakeTest, TooSmallOrTooLargePartsLoseOnlyThemselves) {
   parameters.input.max_points = 20;
-  std::vector<std::int64_t> labels(45, 8);  // 30 of label 8, 3 of label 9, 12 of label 1
+  // Of the 45 points, 30 get label 8 (too many points), 3 get label 9 (too few), and 12 get label 1.
+  std::vector<std::int64_t> labels(45, 8);
   std::fill(labels.begin() + 30, labels.begin() + 33, 9);
   std::fill(labels.begin() + 33, labels.end(), 1);
   sensor_msgs::PointCloud2 cloud = LabelledCloudMaker().make(blob(45), labels);

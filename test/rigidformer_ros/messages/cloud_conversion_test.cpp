@@ -17,6 +17,7 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
+// Limit given to read_points(): more than all clouds of this file have, and small enough to be exceeded by bad sizes.
 constexpr std::uint64_t kMaxPoints = 1000;
 
 Points three_points() {
@@ -53,7 +54,7 @@ TEST(CloudConversion, P04_ReadsDoublesOtherFieldsAndPaddedRows) {
     field.count = 1;
     cloud.fields.push_back(field);
   }
-  cloud.data.resize(50 + 40);  // the last row without its padding
+  cloud.data.resize(50 + 40);  // The last row has no padding behind its point.
   for (int row = 0; row < 2; ++row) {
     const double values[] = {99.0, 3.0 + row, 2.0 + row, 1.0 + row};
     std::memcpy(cloud.data.data() + 50 * row, values, sizeof(values));

@@ -20,7 +20,9 @@ using sensor_msgs::PointField;
 using testing::blob;
 using testing::LabelledCloudMaker;
 
+// Limit given to split_by_label(): more points than all good clouds of this file have.
 constexpr std::uint64_t kMaxPoints = 1000;
+// One label per point of the six points that most tests split: two of background, one of object 2, three of object 7.
 const std::vector<std::int64_t> kLabels{0, 7, 2, 7, 0, 7};
 
 void expect_split(const PointCloud2& cloud, const Points& points) {
@@ -49,7 +51,7 @@ TEST(LabelledCloud, ReadsEveryIntegerTypeAndFieldOrder) {
     maker.datatype = datatype;
     expect_split(maker.make(points, kLabels), points);
     maker.field = "instance";
-    maker.label_offset = 1;  // before x y z, not aligned
+    maker.label_offset = 1;  // The label stands before x y z, at an address that is not aligned.
     maker.xyz_offset = 5;
     expect_split(maker.make(points, kLabels), points);
   }
@@ -60,7 +62,7 @@ TEST(LabelledCloud, LabelWinsOverInstance) {
   PointCloud2 cloud = LabelledCloudMaker().make(points, kLabels);
   PointField instance = cloud.fields[0];
   instance.name = "instance";
-  instance.offset = 0;  // the bytes of x
+  instance.offset = 0;  // These are the bytes of x: read as labels, they would make other objects.
   cloud.fields.insert(cloud.fields.begin(), instance);
   expect_split(cloud, points);
 }

@@ -33,7 +33,7 @@ class ModelLoadingTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  // What the node's inference thread makes of these options.
+  // Loads a model on an inference thread as the node does, and waits until that succeeded or failed.
   static std::unique_ptr<InferenceWorker> load(const rigidformer::PredictorOptions& options) {
     auto worker = std::make_unique<InferenceWorker>([options] { return load_model(options); });
     while (worker->state() == InferenceWorker::State::kLoading) {

@@ -17,24 +17,25 @@ class PredictionNodeTest : public ::testing::Test {
  protected:
   void SetUp() override { client.start_afresh(); }
 
-  // The node keeps the last state for `max_state_age`.
+  // Streams clouds of the flights. Requests can be about the last state for `max_state_age` afterwards.
   void stream(const std::map<std::string, Flight>& flights, int frames = 18) {
     client.stream(flights, frames);
     flight_start = client.flight_start;
     last_stamp = client.last_stamp;
   }
 
-  // The default request, with patience for slow machines.
+  // The default request, except that it accepts an older state: on a slow machine it may come late.
   static Rollout::Request request() {
     Rollout::Request r;
     r.max_state_age = ros::Duration(30.0);
     return r;
   }
 
-  // Stamps of 1 ns and float32 points leave millimetres after a second.
+  // [m]. Stamps are rounded to nanoseconds and points to float32; after a second that makes errors of millimetres.
   static constexpr double kTolerance_m = 0.003;
 
-  // What the predictor's error of the centre of mass makes of the spinning flight after this time.
+  // The error [m] that the spinning flight has after this time because the predictor knows the centre of mass only to
+  // `centre_of_mass_error` [m].
   static double drift_m(double seconds) {
     const double angle = high_flight().angular_velocity.norm() * seconds;
     return ros::param::param("~centre_of_mass_error", 0.0) * drift_of_wrong_centre(angle);
@@ -66,7 +67,7 @@ TEST_F(PredictionNodeTest, P26_forecast_matches_the_parabola_at_the_stated_times
   }
 }
 
-// A predictor that has to guess the centre of mass from the cloud moves the wrong point along the parabola.
+// A predictor that has to guess the centre of mass from the cloud moves a wrong point along the parabola.
 TEST_F(PredictionNodeTest, ASpinningBodyDriftsByTheErrorOfItsCentreOfMassOnly) {
   stream({{"a", high_flight()}});
   ASSERT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
@@ -117,7 +118,7 @@ TEST_F(PredictionNodeTest, ReportsOnlyTheRequestedObjects) {
 TEST_F(PredictionNodeTest, StatelessQueryUsesTheGivenCloudsOnly) {
   stream({{"a", high_flight()}});
   Flight flight = high_flight();
-  flight.gravity = 0.0;  // up to the observation
+  flight.gravity = 0.0;  // Until the observation the object moves evenly, so its velocity is exactly known.
   Rollout::Request r;
   r.scene = scene_at(0.04, flight);
   r.previous_scene = scene_at(0.0, flight);

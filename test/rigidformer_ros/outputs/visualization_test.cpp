@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/test_scene.hpp"
 
 namespace rigidformer_ros {
@@ -92,6 +93,32 @@ TEST(Visualization, StaticObjectsHaveNoFutureAndDoubtIsSaid) {
   const auto markers = by_key(visualizer.draw(scene));
   EXPECT_EQ(markers.count({"path/table", 0}), 0U);
   EXPECT_EQ(markers.at({"label/cup", 0}).text, "cup (assumed static)");
+}
+
+// The label and the message come from one function: each status that the message knows has its words.
+TEST(Visualization, EveryStatusButOkIsOnTheLabel) {
+  SceneRollout scene = rollout({"ok", "unseen", "doubtful", "lost", "fast", "both"}, 6);
+  std::vector<ObservedObject>& objects = scene.scene.objects;
+  objects[1].assumed_static = true;
+  objects[2].low_quality = true;
+  scene.outcome.forecast.objects[3].status = rigidformer::ObjectTrajectory::Status::kDiverged;
+  scene.model.max_speed_mps = 1.0;
+  objects[4].state.T_world_current.translation.x() = 2.0 * scene.scene.time_step_s;
+  objects[5].state.T_world_current = objects[4].state.T_world_current;
+  objects[5].low_quality = true;  // of two doubts the label names the same one as the message
+  const std::map<std::string, std::pair<int, std::string>> expected = {
+      {"ok", {ObjectForecast::OK, "ok"}},
+      {"unseen", {ObjectForecast::ASSUMED_STATIC, "unseen (assumed static)"}},
+      {"doubtful", {ObjectForecast::LOW_QUALITY, "doubtful (low quality)"}},
+      {"lost", {ObjectForecast::DIVERGED, "lost (diverged)"}},
+      {"fast", {ObjectForecast::OUT_OF_RANGE, "fast (out of range)"}},
+      {"both", {ObjectForecast::LOW_QUALITY, "both (low quality)"}}};
+  const auto markers = by_key(ForecastVisualizer(DisplayParameters(), "map").draw(scene));
+  scene.outcome.settled_steps.assign(objects.size(), -1);
+  for (const ObjectForecast& object : to_forecast(scene, ForecastSelection(), "map").objects) {
+    EXPECT_EQ(object.status, expected.at(object.id).first) << object.id;
+    EXPECT_EQ(markers.at({"label/" + object.id, 0}).text, expected.at(object.id).second);
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "rigidformer_ros/yaml_tree.hpp"
 
@@ -32,7 +33,7 @@ void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "'" << text << "' lacks '" << part << "'";
 }
 
-// Every scalar of the file, as name=value.
+// Collects every scalar of the file by its full name, for example /predict/rate. A list counts as its length.
 void flatten(const YAML::Node& node, const std::string& name, std::map<std::string, std::string>& values) {
   if (node.IsMap()) {
     for (const auto& member : node) {
@@ -43,85 +44,28 @@ void flatten(const YAML::Node& node, const std::string& name, std::map<std::stri
   }
 }
 
-std::string text_of(double value) { return std::to_string(value); }
-std::string text_of(const std::optional<double>& value, const std::string& word) {
-  return value ? text_of(*value) : word;
-}
-
-std::map<std::string, std::string> defaults() {
-  const NodeParameters p;
-  return {{"/fixed_frame", p.fixed_frame},
-          {"/tf_timeout", text_of(p.tf_timeout)},
-          {"/max_stamp_skew", text_of(p.max_stamp_skew)},
-          {"/input/objects", "[0]"},
-          {"/input/object_topics", p.input.object_topics},
-          {"/input/discovery_period", text_of(p.input.discovery_period)},
-          {"/input/queue_size", text_of(p.input.queue_size)},
-          {"/input/min_points", text_of(p.input.min_points)},
-          {"/input/max_points", text_of(p.input.max_points)},
-          {"/input/sync_window", text_of(p.input.sync_window)},
-          {"/input/cloud", p.input.cloud},
-          {"/input/max_cloud_points", text_of(p.input.max_cloud_points)},
-          {"/input/label_names", "[0]"},
-          {"/input/object_clouds", p.input.object_clouds},
-          {"/input/pose_frame_prefix", p.input.pose_frame_prefix},
-          {"/history/min_dt", text_of(p.history.min_dt)},
-          {"/history/max_dt", text_of(p.history.max_dt)},
-          {"/history/object_timeout", text_of(p.history.object_timeout)},
-          {"/history/jump_threshold", text_of(p.history.jump_threshold)},
-          {"/history/max_speed", text_of(p.history.max_speed)},
-          {"/history/max_angular_speed", text_of(p.history.max_angular_speed)},
-          {"/correspondence/method", "ordered"},
-          {"/correspondence/max_rmse", text_of(p.correspondence.max_rmse)},
-          {"/correspondence/noise", text_of(p.correspondence.noise)},
-          {"/correspondence/min_inlier_ratio", text_of(p.correspondence.min_inlier_ratio)},
-          {"/correspondence/voxel_size", text_of(p.correspondence.voxel_size)},
-          {"/correspondence/max_reference_points", text_of(p.correspondence.max_reference_points)},
-          {"/correspondence/max_correspondence_distance", text_of(p.correspondence.max_correspondence_distance)},
-          {"/correspondence/max_iterations", text_of(p.correspondence.max_iterations)},
-          {"/correspondence/max_registered_points", text_of(p.correspondence.max_registered_points)},
-          {"/correspondence/max_rotation", text_of(p.correspondence.max_rotation)},
-          {"/correspondence/max_failures", text_of(p.correspondence.max_failures)},
-          {"/model/file", p.model.file},
-          {"/model/device", p.model.device},
-          {"/model/precision", p.model.precision},
-          {"/model/num_threads", text_of(p.model.num_threads)},
-          {"/model/warmup_runs", text_of(p.model.warmup_runs)},
-          {"/model/rest_speed", text_of(p.model.rest_speed)},
-          {"/model/rest_spin", text_of(p.model.rest_spin)},
-          {"/predict/rate", text_of(p.predict.rate)},
-          {"/predict/num_steps", text_of(p.predict.num_steps)},
-          {"/predict/time_step", text_of(p.predict.time_step)},
-          {"/predict/gravity", text_of(p.predict.gravity)},
-          {"/predict/ground_height", text_of(p.predict.ground_height, "none")},
-          {"/predict/length_scale", text_of(p.predict.length_scale, "auto")},
-          {"/service/max_steps", text_of(p.service.max_steps)},
-          {"/service/max_wall_time", text_of(p.service.max_wall_time)},
-          {"/service/max_state_age", text_of(p.service.max_state_age)},
-          {"/service/max_clients_queued", text_of(p.service.max_clients_queued)},
-          {"/service/max_returned_points", text_of(p.service.max_returned_points)},
-          {"/service/settle_linear_speed", text_of(p.service.settle_linear_speed)},
-          {"/service/settle_angular_speed", text_of(p.service.settle_angular_speed)},
-          {"/service/settle_duration", text_of(p.service.settle_duration)},
-          {"/properties/mass", text_of(p.properties.defaults.mass_kg, "unknown")},
-          {"/properties/friction", text_of(p.properties.defaults.friction, "unknown")},
-          {"/properties/restitution", text_of(p.properties.defaults.restitution, "unknown")},
-          {"/properties/objects", "[0]"},
-          {"/display/markers", p.display.markers ? "true" : "false"},
-          {"/display/ghost_every", text_of(p.display.ghost_every)},
-          {"/display/max_ghost_points", text_of(p.display.max_ghost_points)},
-          {"/display/point_size", text_of(p.display.point_size)},
-          {"/display/path_width", text_of(p.display.path_width)},
-          {"/display/label_size", text_of(p.display.label_size)},
-          {"/display/marker_lifetime", text_of(p.display.marker_lifetime)},
-          {"/diagnostics/report_period", text_of(p.diagnostics.report_period)},
-          {"/diagnostics/period", text_of(p.diagnostics.period)},
-          {"/diagnostics/max_input_age", text_of(p.diagnostics.max_input_age)},
-          {"/diagnostics/max_processing_time", text_of(p.diagnostics.max_processing_time)},
-          {"/diagnostics/max_consecutive_delay", text_of(p.diagnostics.max_consecutive_delay)},
-          {"/diagnostics/check_window", text_of(p.diagnostics.check_window)},
-          {"/diagnostics/trusted_position_error", text_of(p.diagnostics.trusted_position_error)},
-          {"/diagnostics/trusted_rotation_error", text_of(p.diagnostics.trusted_rotation_error)}};
+// Every parameter, as name=value.
+template <class Group>
+void list_members(Group group, const std::string& path, std::map<std::string, std::string>& values) {
+  for_each_member(group, [&](const char* key, auto& value, const Accepts& accepts, const char*) {
+    using T = std::decay_t<decltype(value)>;
+    const std::string name = path + "/" + key;
+    if constexpr (rigidformer::has_members<T>) {
+      list_members(value, name, values);
+    } else if constexpr (rigidformer::is_list<T>) {
+      values[name] = "[" + std::to_string(value.size()) + "]";
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      values[name] = value ? std::to_string(*value) : accepts.words.front();
+    } else if constexpr (std::is_enum_v<T>) {
+      values[name] = rigidformer::enum_word(value);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      values[name] = value;
+    } else if constexpr (std::is_same_v<T, bool>) {
+      values[name] = value ? "true" : "false";
+    } else {
+      values[name] = std::to_string(static_cast<double>(value));
+    }
+  });
 }
 
 TEST(Parameters, TheYamlFileListsEveryParameterWithItsDefault) {
@@ -131,10 +75,12 @@ TEST(Parameters, TheYamlFileListsEveryParameterWithItsDefault) {
   for (auto& [name, value] : written) {
     double number = 0.0;
     if (YAML::convert<double>::decode(YAML::Node(value), number)) {
-      value = text_of(number);
+      value = std::to_string(number);
     }
   }
-  EXPECT_EQ(written, defaults());
+  std::map<std::string, std::string> defaults;
+  list_members(NodeParameters(), "", defaults);
+  EXPECT_EQ(written, defaults);
   EXPECT_NO_THROW(read_parameters(to_tree(file)));
 }
 

@@ -26,7 +26,7 @@ bool accepts(const std::string& group, const std::string& name, const XmlRpcValu
   return true;
 }
 
-// The YAML file and dynamic_reconfigure take the same names, types and ranges.
+// Checks that a value is within the range of dynamic_reconfigure exactly when the YAML file may hold it.
 template <class Config>
 void expect_same_ranges(const std::string& group) {
   const dynamic_reconfigure::ConfigDescription& ranges = Config::__getDescriptionMessage__();

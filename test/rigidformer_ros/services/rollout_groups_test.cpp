@@ -21,7 +21,9 @@ namespace {
 using Groups = RolloutGroups<int>;
 using Clock = std::chrono::steady_clock;
 
-const Clock::time_point kNoTime;  // long ago
+// A time limit that has passed already (the clock's zero), for requests that must not wait.
+const Clock::time_point kNoTime;
+// A time limit that never passes: an hour is longer than any test runs.
 const Clock::time_point kLongTime = Clock::now() + std::chrono::hours(1);
 
 Groups::Begin give(int value) {
@@ -104,7 +106,8 @@ TEST(RolloutGroups, WaitingEndsWithWhatOneWaitsFor) {
   EXPECT_EQ(later.get(), 2);
 }
 
-// Every rollout has a number; the state it shows is that of the moment when it was begun.
+// Rollouts are numbered as they begin, and each shows the state of that moment. A request whose rollout has a number
+// that was given before the request came would get an answer older than its question.
 TEST(RolloutGroups, ManyThreadsAllGetRolloutsThatAreNotOlderThanTheirQuestions) {
   Groups groups;
   std::atomic<int> num_made{0}, num_given{0}, num_older{0}, num_under_way{0}, most_under_way{0};

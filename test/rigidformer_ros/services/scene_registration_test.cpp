@@ -15,6 +15,7 @@ namespace {
 using testing::ShapeCamera;
 using testing::Tumble;
 
+// [s] between two clouds, as from a camera of 30 Hz.
 constexpr double kFrame = 1.0 / 30.0;
 
 RigidTransform stay(const std::string&, const ros::Time&) { return RigidTransform(); }
@@ -33,9 +34,9 @@ TEST(SceneRegistration, P12_a_request_may_hold_other_points_than_the_scene_befor
   const ObjectClouds previous = scene_at(0.0, camera.sample(tumble.pose(0.0), 1200));
   const ObjectClouds scene = scene_at(kFrame, camera.sample(tumble.pose(kFrame), 700));
   NodeParameters parameters;
-  EXPECT_THROW(track_scenes(scene, previous, parameters, stay), RequestError) << "ordered needs the same points";
+  EXPECT_THROW(track_scenes(scene, &previous, parameters, stay), RequestError) << "ordered needs the same points";
   parameters.correspondence.method = rigidformer::Correspondence::kRegistration;
-  const ObservedScene observed = track_scenes(scene, previous, parameters, stay).snapshot(kFrame);
+  const ObservedScene observed = track_scenes(scene, &previous, parameters, stay).snapshot(kFrame);
   ASSERT_EQ(observed.objects.size(), 1U);
   EXPECT_FALSE(observed.objects[0].assumed_static);
   EXPECT_FALSE(observed.objects[0].low_quality);

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <thread>
 #include <tuple>
 #include <utility>
 
+#include "rigidformer/simulation/builtin_shapes.hpp"
 #include "rigidformer/tracking/track_store.hpp"
 #include "rigidformer_ros/simulated/camera/camera_scene.hpp"
 
@@ -44,18 +44,13 @@ struct Run {
   std::map<ForecastKey, ForecastSample> forecasts;
 };
 
-// Rotations that nobody can see do not count: any of a sphere, those about the axis of a body of revolution.
+// Empty when no rotation of the shape can be seen.
 std::optional<double> rotation_error(const std::string& shape, const RigidTransform& actual,
                                      const RigidTransform& truth) {
-  if (shape == "sphere") {
+  if (rigidformer::symmetry_of(shape) == rigidformer::Symmetry::kAll) {
     return std::nullopt;
   }
-  const std::set<std::string> of_revolution{"cone", "cylinder", "gear", "pear", "torus"};
-  if (of_revolution.count(shape) == 0) {
-    return rigidformer::rotation_angle(actual.rotation, truth.rotation);
-  }
-  const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  return std::acos(std::clamp((actual.rotation * axis).dot(truth.rotation * axis), -1.0, 1.0));
+  return rigidformer::visible_angle(shape, actual.rotation, truth.rotation);
 }
 
 // One scene for one method.
@@ -87,7 +82,11 @@ class ScenePlay {
 
  private:
   static NodeParameters with_method(NodeParameters parameters, const std::string& method) {
-    parameters.correspondence.method = to_correspondence(method);
+    const auto value = rigidformer::enum_value<rigidformer::Correspondence>(method);
+    if (!value) {
+      throw std::invalid_argument("correspondence method '" + method + "', must be ordered, registration or pose");
+    }
+    parameters.correspondence.method = *value;
     return parameters;
   }
 

@@ -9,9 +9,9 @@
 
 namespace rigidformer_ros::camera {
 
-/// Makes every camera option a command-line option of the same name.
+/// Adds a command-line option of the same name for every camera option.
 inline void add_camera_options(CLI::App& app, CameraOptions& options) {
-  for_each_option(options, [&app](const std::string& name, auto& value, const char* description) {
+  for_each_member(options, [&app](const std::string& name, auto& value, const Accepts&, const char* description) {
     app.add_option("--" + name, value, description)->capture_default_str();
   });
 }

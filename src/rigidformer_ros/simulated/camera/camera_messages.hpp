@@ -14,25 +14,27 @@
 
 namespace rigidformer_ros::camera {
 
-/// Topics, relative to the namespace.
+/// Names of the topics, relative to the namespace of the program.
 inline constexpr char kCloudTopic[] = "cloud";
 inline constexpr char kObjectCloudsTopic[] = "object_clouds";
 inline constexpr char kTruthTopic[] = "camera/truth";
 
-/// What a perception pipeline says about one frame.
+/// Everything that a perception pipeline would say about one frame.
 struct FrameMessages {
-  sensor_msgs::PointCloud2 cloud;  ///< x y z [m] and, if asked for, label (0 = background); camera frame
-  ObjectClouds object_clouds;      ///< The objects that are seen, with their true poses; camera frame
+  sensor_msgs::PointCloud2 cloud;  ///< Fields x y z [m] and, if asked for, label (0 = background), in the camera frame
+  ObjectClouds object_clouds;      ///< The objects that are seen, with their true poses, in the camera frame
   std::vector<geometry_msgs::TransformStamped> object_frames;  ///< True poses of the same objects in the fixed frame
 };
 
+/// Renders a frame of the scene and writes its messages.
 FrameMessages make_messages(const CameraScene& scene, int frame, const CameraOptions& options, const ros::Time& stamp);
 
-/// Pose of the camera in the fixed frame.
+/// The pose of the camera in the fixed frame.
 geometry_msgs::TransformStamped camera_transform(const CameraScene& scene, const CameraOptions& options,
                                                  const ros::Time& stamp);
 
-/// True motion of all objects' body frames (origin = centre of mass) through the scene, one pose per frame.
+/// The true motion of all objects through the scene, as if it were a forecast with one pose per frame. The poses are
+/// those of the body frames, whose origins are the centres of mass. `start` is the time of frame 0.
 SceneForecast make_truth(const CameraScene& scene, const CameraOptions& options, const ros::Time& start);
 
 }  // namespace rigidformer_ros::camera

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "rigidformer/io/member_table.hpp"
+
 namespace rigidformer_ros::camera {
 namespace {
 
@@ -29,12 +31,11 @@ rigidformer::DepthCameraOptions CameraOptions::camera() const {
 
 void CameraOptions::validate() const {
   camera().validate();
-  require(seed >= 0, "seed: is " + std::to_string(seed) + ", must be at least 0");
-  require(num_scenes >= 0, "num_scenes: is " + std::to_string(num_scenes) + ", must be at least 0");
-  require(duration > 0.0 && duration <= 60.0, "duration: is " + std::to_string(duration) + ", must be in (0, 60] s");
-  require(pause >= 0.0, "pause: is " + std::to_string(pause) + ", must be at least 0 s");
-  require(scale > 0.0, "scale: is " + std::to_string(scale) + ", must be positive");
-  require(frame_rate > 0.0, "frame_rate: is " + std::to_string(frame_rate) + ", must be positive");
+  CameraOptions copy = *this;
+  for_each_member(copy, [](const std::string& name, const auto& value, const Accepts& accepts, const char*) {
+    require(rigidformer::fits(value, accepts), name + ": is " + rigidformer::value_text(value, accepts) + ", must be " +
+                                                   rigidformer::values_text(accepts));
+  });
   require(position.size() == 3 && target.size() == 3, "position and target: must have three numbers each");
   require(position[0] != target[0] || position[1] != target[1],
           "position: is straight above target, where the direction of the image is not defined");

@@ -5,9 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "rigidformer/io/members.hpp"
 #include "rigidformer/simulation/depth_camera.hpp"
 
 namespace rigidformer_ros::camera {
+
+using rigidformer::Accepts;
 
 /// What the simulated camera looks at and what it publishes. A member's name is the name of the ROS parameter and of
 /// the command-line option, its initial value the only default.
@@ -44,33 +47,35 @@ struct CameraOptions {
   void validate() const;
 };
 
-/// Calls visit(name, member, description) for every option.
 template <typename Visit>
-void for_each_option(CameraOptions& o, const Visit& visit) {
-  visit("scene_set", o.scene_set, "movi_sphere, movi_a or movi_b, simulated now");
-  visit("scene_file", o.scene_file, "Scene archive or folder to show instead; empty = simulate");
-  visit("seed", o.seed, "Of the scenes and of the noise");
-  visit("num_scenes", o.num_scenes, "Scenes one after another; 0 = until shutdown");
-  visit("duration", o.duration, "Simulated motion per scene, at scale 1 [s]");
-  visit("pause", o.pause, "Without any cloud between two scenes [s]");
-  visit("scale", o.scale, "Lengths times scale, times times its square root: 0.07 makes a tabletop scene");
-  visit("frame_rate", o.frame_rate, "Frames per second [Hz]");
-  visit("position", o.position, "Of the camera in the fixed frame, at scale 1 [m]");
-  visit("target", o.target, "What the camera looks at, at scale 1 [m]");
-  visit("width", o.width, "Of the image [px]");
-  visit("height", o.height, "Of the image [px]");
-  visit("horizontal_fov", o.horizontal_fov, "Field of view [rad]");
-  visit("max_range", o.max_range, "Farther surfaces give no point [m]");
-  visit("depth_noise", o.depth_noise, "Standard deviation along the optical axis [m]");
-  visit("pixel_noise", o.pixel_noise, "Standard deviation in the image [px]");
-  visit("dropout", o.dropout, "Share of the pixels without a point");
-  visit("mislabelled", o.mislabelled, "Share of the pixels at borders with the label from across the border");
-  visit("camera_frame", o.camera_frame, "Optical frame of the clouds");
-  visit("fixed_frame", o.fixed_frame, "Frame of the world, z up");
-  visit("labels", o.labels, "Give every point the label of its object; otherwise x y z only, a bare depth camera");
-  visit("object_clouds", o.object_clouds, "Also publish rigidformer_ros/ObjectClouds with the true poses");
-  visit("object_frames", o.object_frames, "Also publish the true poses as tf frames");
-  visit("pose_frame_prefix", o.pose_frame_prefix, "Names of these frames: the prefix, then the object's id");
+void for_each_member(CameraOptions& o, const Visit& visit) {
+  const Accepts any = rigidformer::anything();
+  const Accepts positive = rigidformer::positive();
+  const Accepts not_negative = rigidformer::at_least(0.0);
+  visit("scene_set", o.scene_set, any, "movi_sphere, movi_a or movi_b, simulated now");
+  visit("scene_file", o.scene_file, any, "Scene archive or folder to show instead; empty = simulate");
+  visit("seed", o.seed, not_negative, "Of the scenes and of the noise");
+  visit("num_scenes", o.num_scenes, not_negative, "Scenes one after another; 0 = until shutdown");
+  visit("duration", o.duration, rigidformer::positive_up_to(60.0), "Simulated motion per scene, at scale 1 [s]");
+  visit("pause", o.pause, not_negative, "Without any cloud between two scenes [s]");
+  visit("scale", o.scale, positive, "Lengths times scale, times times its square root: 0.07 makes a tabletop scene");
+  visit("frame_rate", o.frame_rate, positive, "Frames per second [Hz]");
+  visit("position", o.position, any, "Of the camera in the fixed frame, at scale 1 [m]");
+  visit("target", o.target, any, "What the camera looks at, at scale 1 [m]");
+  visit("width", o.width, any, "Of the image [px]");
+  visit("height", o.height, any, "Of the image [px]");
+  visit("horizontal_fov", o.horizontal_fov, any, "Field of view [rad]");
+  visit("max_range", o.max_range, any, "Farther surfaces give no point [m]");
+  visit("depth_noise", o.depth_noise, any, "Standard deviation along the optical axis [m]");
+  visit("pixel_noise", o.pixel_noise, any, "Standard deviation in the image [px]");
+  visit("dropout", o.dropout, any, "Share of the pixels without a point");
+  visit("mislabelled", o.mislabelled, any, "Share of the pixels at borders with the label from across the border");
+  visit("camera_frame", o.camera_frame, any, "Optical frame of the clouds");
+  visit("fixed_frame", o.fixed_frame, any, "Frame of the world, z up");
+  visit("labels", o.labels, any, "Give every point the label of its object; otherwise x y z only, a bare depth camera");
+  visit("object_clouds", o.object_clouds, any, "Also publish rigidformer_ros/ObjectClouds with the true poses");
+  visit("object_frames", o.object_frames, any, "Also publish the true poses as tf frames");
+  visit("pose_frame_prefix", o.pose_frame_prefix, any, "Names of these frames: the prefix, then the object's id");
 }
 
 }  // namespace rigidformer_ros::camera

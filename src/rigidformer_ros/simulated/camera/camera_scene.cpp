@@ -18,7 +18,9 @@ namespace {
 using rigidformer::RigidTransform;
 using rigidformer::SceneArchive;
 
+// Frames per second that generate_movi_scene() records: the default of BulletSettings.
 constexpr double kSimulationRate_hz = 240.0;
+// Points on the surface of each object; chosen by eye. The share of them that is seen is the visible fraction.
 constexpr int kSurfacePoints = 256;
 
 SceneArchive simulate(const CameraOptions& options, std::uint64_t index) {

@@ -20,8 +20,9 @@ void read_parameter(const ros::NodeHandle& node, const std::string& name, T& val
 
 CameraOptions read_camera_options(const ros::NodeHandle& private_node) {
   CameraOptions options;
-  for_each_option(
-      options, [&](const std::string& name, auto& value, const char*) { read_parameter(private_node, name, value); });
+  for_each_member(options, [&](const std::string& name, auto& value, const Accepts&, const char*) {
+    read_parameter(private_node, name, value);
+  });
   options.validate();
   return options;
 }
@@ -71,7 +72,7 @@ void DepthCameraPublisher::play(const CameraScene& scene) {
   for (int frame = 0; ros::ok() && frame < scene.num_frames(); ++frame) {
     const ros::Time stamp = start + ros::Duration(scene.time_s(frame));
     if (!playback_.publish_clock && stamp + ros::Duration(1.0 / options_.frame_rate) < clock_.now()) {
-      continue;  // a camera that cannot keep up loses frames
+      continue;  // The program is more than a frame late. It loses the frame, as a camera that cannot keep up would.
     }
     const FrameMessages messages = make_messages(scene, frame, options_, stamp);
     clock_.sleep_until(stamp);

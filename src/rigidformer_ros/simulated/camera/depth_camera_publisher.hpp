@@ -13,16 +13,20 @@ namespace rigidformer_ros::camera {
 
 /// How the frames are played.
 struct PlaybackOptions {
-  bool wait_for_node = true;   ///< Start when the prediction node is ready
-  bool publish_clock = false;  ///< Drive /clock
-  double time_scale = 1.0;     ///< Simulated seconds per second; needs publish_clock
+  bool wait_for_node = true;   ///< Start only when the prediction node is ready
+  bool publish_clock = false;  ///< Publish a simulated time on /clock
+  double time_scale = 1.0;     ///< Simulated seconds per second of wall time; another value than 1 needs publish_clock
 };
 
-/// Reads private parameters; those absent keep their defaults. Throws std::invalid_argument naming the parameter.
+/// Reads the camera options from private parameters. Options without a parameter keep their defaults. Throws
+/// std::invalid_argument naming the parameter.
 CameraOptions read_camera_options(const ros::NodeHandle& private_node);
+
+/// Reads the playback options in the same way.
 PlaybackOptions read_playback_options(const ros::NodeHandle& private_node);
 
-/// Plays scenes as a depth camera with a segmentation sees them: topics of camera_messages.hpp and tf of the camera.
+/// Plays scenes as a depth camera with a segmentation sees them. It publishes the topics of camera_messages.hpp, and
+/// the pose of the camera on tf.
 class DepthCameraPublisher {
  public:
   DepthCameraPublisher(ros::NodeHandle& node, const CameraOptions& options, const PlaybackOptions& playback);

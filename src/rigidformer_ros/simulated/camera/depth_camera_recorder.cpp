@@ -13,7 +13,8 @@
 namespace rigidformer_ros::camera {
 namespace {
 
-constexpr double kStart_s = 1000.0;  // Zero would mean "no clock yet"
+// [s] stamp of the first frame: any round number but 0, which would mean "no clock yet".
+constexpr double kStart_s = 1000.0;
 
 template <typename Message>
 void write_latched(rosbag::Bag& bag, const std::string& topic, const ros::Time& stamp, const Message& message) {
@@ -39,7 +40,7 @@ void write_frame(rosbag::Bag& bag, const FrameMessages& messages, const CameraOp
   }
 }
 
-// Opens the bag when the first scene shows that the options are usable.
+// Writes all scenes. The bag is opened only when the first scene has shown that the options are usable.
 RecordingSummary write_scenes(const std::string& file, const CameraOptions& options, rosbag::Bag& bag) {
   RecordingSummary summary;
   ros::Time start(kStart_s);
@@ -61,8 +62,8 @@ RecordingSummary write_scenes(const std::string& file, const CameraOptions& opti
   return summary;
 }
 
-// The destructor of an open bag writes its index: on a full disk that would end the program. Emptying the file makes
-// room.
+// Removes a half-written bag. The destructor of an open bag writes its index, and on a full disk that would end the
+// program: emptying the file first makes room for the index.
 void abandon(rosbag::Bag& bag, const std::string& file) {
   if (bag.isOpen()) {
     std::filesystem::resize_file(file, 0);

@@ -8,16 +8,16 @@
 
 namespace rigidformer_ros::camera {
 
-/// What went into a bag.
+/// How much went into a bag.
 struct RecordingSummary {
   int num_scenes = 0;
   int num_frames = 0;
 };
 
-/// Writes what a DepthCameraPublisher with these options would publish into a bag: the camera's frame once, latched, on
-/// /tf_static, then frame by frame with the stamps as times, from 1000 s on. Needs no ROS master. Throws
-/// std::invalid_argument for unusable options, std::runtime_error naming the file when it cannot be written; half a bag
-/// is not left.
+/// Writes into a bag what a DepthCameraPublisher with these options would publish. The pose of the camera is written
+/// once, latched, on /tf_static; then the scenes come frame by frame. The time of a message is its stamp, and the first
+/// stamp is 1000 s. No ROS master is needed. Throws std::invalid_argument for unusable options, and std::runtime_error
+/// naming the file when it cannot be written; no half-written bag is left then.
 RecordingSummary record_bag(const std::string& file, const CameraOptions& options);
 
 }  // namespace rigidformer_ros::camera

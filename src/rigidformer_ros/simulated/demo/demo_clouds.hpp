@@ -10,10 +10,10 @@
 
 namespace rigidformer_ros::demo {
 
-/// Cloud with the fields x y z [m].
+/// Makes the cloud of one object with the fields x y z [m].
 sensor_msgs::PointCloud2 make_object_cloud(const rigidformer::Points& points, const std_msgs::Header& header);
 
-/// All objects in one cloud: x y z [m], label (1, 2, ...).
+/// Makes one cloud of all objects with the fields x y z [m] and label, which counts the objects from 1.
 sensor_msgs::PointCloud2 make_labelled_cloud(const std::vector<rigidformer::Points>& objects,
                                              const std_msgs::Header& header);
 

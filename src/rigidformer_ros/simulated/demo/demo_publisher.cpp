@@ -16,7 +16,9 @@
 namespace rigidformer_ros::demo {
 namespace {
 
-constexpr double kFrameRate = 240.0;  // [Hz] of the simulation
+// [Hz] frames that generate_movi_scene() records per second: the default of BulletSettings.
+constexpr double kFrameRate = 240.0;
+// Most objects of a scene: the default of MoviOptions. So many topics are offered from the start.
 constexpr int kMaxObjects = 10;
 
 template <typename T>

@@ -11,12 +11,13 @@
 
 namespace rigidformer_ros::demo {
 
+/// What scene to simulate.
 struct DemoSceneOptions {
   rigidformer::MoviSet set = rigidformer::MoviSet::kB;
   std::uint64_t seed = 1;
-  std::uint64_t index = 0;      ///< Number of the scene
-  int num_frames = 720;         ///< At 240 frames per second
-  int points_per_object = 256;  ///< On the whole surface
+  std::uint64_t index = 0;      ///< Number of the scene among those of the seed
+  int num_frames = 720;         ///< Frames to simulate, 240 per second
+  int points_per_object = 256;  ///< Points on the whole surface of each object
 };
 
 /// A simulated scene with ground truth, seen as one cloud per object: the same points in the same order in every frame.
@@ -29,19 +30,21 @@ class DemoScene {
   int num_frames() const { return recording_.num_frames; }
   double frame_rate_hz() const { return recording_.frame_rate_hz; }
 
-  /// object_0, object_1, ...: the same ids in every scene, as from a tracker that numbers what it sees.
+  /// The id of an object: object_0, object_1, ... They are the same in every scene, as from a tracker that numbers what
+  /// it sees.
   static std::string object_id(int object);
 
-  /// Points of `object` at `frame` [N, 3], world frame.
+  /// The points [N, 3] m of `object` at `frame`, in the world frame.
   rigidformer::Points cloud_world(int object, int frame) const;
 
-  /// True pose of the cloud of `object` at `frame`: origin = its centroid, axes = those of the simulated body.
+  /// The true pose of the cloud of `object` at `frame`. Its origin is the centroid of the cloud, its axes are those of
+  /// the simulated body.
   rigidformer::RigidTransform T_world_cloud(int object, int frame) const;
 
  private:
   rigidformer::SceneRecording recording_;
-  std::vector<rigidformer::Points> clouds_;         // Per object, centred on the centroid, axes of the body
-  std::vector<Eigen::Vector3d> centroids_in_body_;  // Per object
+  std::vector<rigidformer::Points> clouds_;         // Each object's points about their centroid, along the body's axes
+  std::vector<Eigen::Vector3d> centroids_in_body_;  // Each object's centroid in the body frame [m]
 };
 
 }  // namespace rigidformer_ros::demo

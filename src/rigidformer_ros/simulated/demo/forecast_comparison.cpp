@@ -7,7 +7,8 @@
 namespace rigidformer_ros::demo {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // [s] stamps are rounded to nanoseconds
+// [s]. Stamps are rounded to nanoseconds, so a time at the end of the list may seem to lie behind it.
+constexpr double kTolerance = 1e-6;
 
 Eigen::Vector3d position(const geometry_msgs::Pose& pose) {
   return {pose.position.x, pose.position.y, pose.position.z};
@@ -39,7 +40,7 @@ std::optional<Eigen::Vector3d> position_at(const std::vector<double>& times, con
 std::vector<Comparison> compare(const SceneForecast& forecast, const SceneForecast& truth,
                                 const std::vector<double>& horizons_s, double gravity) {
   std::vector<Comparison> comparisons;
-  const double t0 = (forecast.header.stamp - truth.header.stamp).toSec();  // In the time of the truth
+  const double t0 = (forecast.header.stamp - truth.header.stamp).toSec();  // The time of the forecast in the scene.
   for (const ObjectForecast& object : forecast.objects) {
     const ObjectForecast* actual = find_object(truth, object.id);
     if (actual == nullptr) {

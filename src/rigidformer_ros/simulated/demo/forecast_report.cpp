@@ -11,8 +11,10 @@
 namespace rigidformer_ros::demo {
 namespace {
 
-const std::vector<double> kHorizons{0.25, 0.5, 1.0};  // [s]
-constexpr double kTableTime = 0.5;                    // [s] into the scene: most objects are about to hit the floor
+// [s] after the forecast, the shortest first; chosen by eye.
+const std::vector<double> kHorizons{0.25, 0.5, 1.0};
+// [s] into the scene: the time of the forecast in the table. Most objects are about to hit the floor then.
+constexpr double kTableTime = 0.5;
 
 template <typename... Args>
 std::string print(const char* format, Args... args) {
@@ -56,7 +58,7 @@ void ForecastReport::on_forecast(const SceneForecast& forecast) {
     return;
   }
   if (compare(forecast, truth_, {kHorizons.front()}).empty()) {
-    scene_over_ = !forecasts_.empty();  // Too late in the scene for even the shortest horizon
+    scene_over_ = !forecasts_.empty();  // The rest of the scene is too short for even the shortest horizon.
     return;
   }
   forecasts_.push_back(forecast);

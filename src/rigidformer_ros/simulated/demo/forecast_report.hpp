@@ -16,13 +16,14 @@ class ForecastReport {
  public:
   explicit ForecastReport(ros::NodeHandle& node);
 
-  /// Listens until one scene is over. False when that has not happened after `timeout_s` of real time.
+  /// Listens until one scene is over. Returns false when that has not happened after `timeout_s` seconds of wall time.
   bool listen(double timeout_s);
 
-  /// What has been missing, after listen() returned false.
+  /// Says what has been missing, after listen() returned false.
   std::string missing() const;
 
-  /// Table of one forecast, made about half a second into the scene, and the mean errors of all forecasts.
+  /// The report: a table of one forecast, made about half a second into the scene, and the mean errors of all
+  /// forecasts.
   std::string text() const;
 
  private:
@@ -34,7 +35,7 @@ class ForecastReport {
 
   ros::Subscriber truth_subscriber_, forecast_subscriber_;
   SceneForecast truth_;
-  std::vector<SceneForecast> forecasts_;  // Of the scene truth_
+  std::vector<SceneForecast> forecasts_;  // The forecasts made of the scene truth_
   bool has_truth_ = false, scene_over_ = false;
 };
 

@@ -9,8 +9,9 @@
 
 namespace rigidformer_ros::demo {
 namespace {
-constexpr double kTick = 1.0 / 120.0;  // [s] of simulated time between two clock messages
-}
+// [s] of simulated time between two messages on /clock; chosen by eye, shorter than the time between two clouds.
+constexpr double kTick = 1.0 / 120.0;
+}  // namespace
 
 SceneClock::SceneClock(ros::NodeHandle& node, bool publish, double time_scale)
     : publish_(publish), time_scale_(time_scale) {
@@ -29,7 +30,7 @@ void SceneClock::sleep_until(const ros::Time& time) {
     ros::Time::sleepUntil(time);
     return;
   }
-  // Against the start, not tick by tick: sleeping a little too long each time must not add up.
+  // Every tick sleeps until a time counted from the start: sleeps that are a little too long must not add up.
   const ros::WallTime wall_start = ros::WallTime::now();
   const ros::Time start = simulated_;
   while (ros::ok() && simulated_ < time) {

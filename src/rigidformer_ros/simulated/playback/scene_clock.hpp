@@ -6,11 +6,11 @@
 
 namespace rigidformer_ros::demo {
 
-/// The time of a played scene: either the system's, or a simulated one that this clock publishes on /clock.
+/// The time of a played scene: either the time of ROS, or a simulated one that this clock publishes on /clock.
 class SceneClock {
  public:
-  /// `publish` = drive /clock, advancing `time_scale` simulated seconds per second. Throws std::invalid_argument for a
-  /// scale that is not positive.
+  /// With `publish`, the clock is simulated and advances `time_scale` seconds per second of wall time. Throws
+  /// std::invalid_argument for a scale that is not positive.
   SceneClock(ros::NodeHandle& node, bool publish, double time_scale);
 
   ros::Time now() const;
@@ -18,7 +18,7 @@ class SceneClock {
   /// Returns at `time`, or when ROS shuts down.
   void sleep_until(const ros::Time& time);
 
-  /// Lets `seconds` of real time pass; a simulated clock stands still but goes on being published.
+  /// Lets `seconds` of wall time pass. A simulated clock stands still meanwhile, but goes on being published.
   void hold(double seconds);
 
  private:
@@ -26,7 +26,7 @@ class SceneClock {
 
   bool publish_;
   double time_scale_;
-  ros::Time simulated_{1.0};  // Zero would mean "no clock yet"
+  ros::Time simulated_{1.0};  // The first time must not be 0, which would mean "no clock yet".
   ros::Publisher publisher_;
 };
 

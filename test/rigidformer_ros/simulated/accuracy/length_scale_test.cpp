@@ -23,9 +23,14 @@ using rigidformer::MoviSet;
 using rigidformer::SceneRecording;
 using rigidformer::Shape;
 
+// Real length divided by the length that the model sees. Objects of a metre become 7 cm, the size on a table that the
+// launch files simulate.
 constexpr double kScale = 0.07;
-constexpr int kFramesPerCloud = 8;  // 30 Hz at scale 1
+// Frames of the recording from cloud to cloud: of 240 per second at scale 1, every eighth makes clouds at 30 Hz.
+constexpr int kFramesPerCloud = 8;
+// Steps of a forecast; chosen by eye. At scale 1 they are a quarter of a second.
 constexpr int kSteps = 6;
+// Frames of the recording per step: the default time step of the node is 1/24 s, or ten frames of 1/240 s.
 constexpr int kFramesPerStep = 10;
 const std::string kModel = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/small.safetensors";
 
@@ -34,7 +39,8 @@ const std::vector<Shape>& shapes() {
   return instance;
 }
 
-/// The start of a scene with lengths times `scale`, times times its square root, masses as those of the same material.
+/// The start of a scene in which lengths are multiplied by `scale` and times by its square root. The masses are those
+/// of the same material.
 SceneRecording initial_scene(std::uint64_t index, double scale) {
   SceneRecording scene = rigidformer::sample_movi_scene(MoviSet::kA, shapes(), 4711, index);
   for (rigidformer::RecordedObject& object : scene.objects) {
@@ -46,12 +52,13 @@ SceneRecording initial_scene(std::uint64_t index, double scale) {
   return scene;
 }
 
-/// Simulated by Bullet at its real size.
+/// Lets Bullet simulate the scene at the given scale, at its real size.
 SceneRecording simulate_at(std::uint64_t index, double scale) {
   rigidformer::BulletSettings settings = rigidformer::movi_bullet_settings(MoviSet::kA);
   settings.frame_rate_hz /= std::sqrt(scale);
   settings.hull_margin_m *= scale;
-  settings.least_squares_residual *= std::pow(scale, 7);  // squared impulses, of masses ~ scale^3, speeds ~ scale^(1/2)
+  // The residual is a squared impulse. Masses go with scale^3 and speeds with scale^(1/2), so it goes with scale^7.
+  settings.least_squares_residual *= std::pow(scale, 7);
   return rigidformer::simulate(initial_scene(index, scale), shapes(), settings, 301);
 }
 
@@ -74,7 +81,7 @@ class LengthScale : public ::testing::Test {
     }
   }
 
-  // The node's parameters for objects of this size, predicting with `length_scale`.
+  // The node's parameters for a scene at `scale` that is predicted with `length_scale`.
   static NodeParameters parameters(double scale, double length_scale) {
     NodeParameters p;
     p.predict.time_step *= std::sqrt(scale);
@@ -96,7 +103,7 @@ class LengthScale : public ::testing::Test {
     return *instance;
   }
 
-  // Clouds of the scene up to `frame` through the node's tracking.
+  // What the node's tracking makes of the clouds of the scene up to `frame`.
   static ObservedScene track(const SceneRecording& scene, int frame, const NodeParameters& p) {
     rigidformer::TrackStore tracks(tracking_options(p));
     for (int at = frame - 5 * kFramesPerCloud; at <= frame; at += kFramesPerCloud) {
@@ -115,7 +122,7 @@ class LengthScale : public ::testing::Test {
     return tracks.snapshot(p.predict.time_step);
   }
 
-  // Errors of the centres of mass after kSteps steps, in object sizes.
+  // Position errors of the centres of mass after kSteps steps, divided by the size of the object.
   static std::vector<double> relative_errors(const SceneRecording& scene, double scale, double length_scale) {
     SceneForecaster& predictor = forecaster(scale, length_scale);
     std::vector<double> errors;
@@ -165,7 +172,8 @@ TEST_F(LengthScale, ASimulatedTabletopIsPredictedAsWellAsTheSceneAtMetreSize) {
   std::cout << "error in object sizes, mean and median: metre " << large.mean() << " " << large.quantile(0.5)
             << ", tabletop " << small.mean() << " " << small.quantile(0.5) << ", tabletop without length scale "
             << unscaled.mean() << " " << unscaled.quantile(0.5) << " (" << large.values.size() << " forecasts)\n";
-  // Medians: the two simulations round differently, and a few collisions amplify that to most of the mean.
+  // Medians are compared, because the two simulations round differently, and a few collisions amplify that so much that
+  // they make up most of the mean.
   const double ratio = small.quantile(0.5) / large.quantile(0.5);
   EXPECT_LT(ratio, 1.25);
   EXPECT_GT(ratio, 1.0 / 1.25);

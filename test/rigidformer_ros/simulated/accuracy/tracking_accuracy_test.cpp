@@ -38,7 +38,8 @@ TEST(Errors, MeanAndQuantiles) {
   EXPECT_EQ(Errors().quantile(0.5), 0.0);
 }
 
-// The whole surface in the same order, from a simulation that falls freely at first: nothing is left to go wrong.
+// The clouds are whole surfaces in the same order, and the objects fall freely at first, as the predictor assumes: the
+// measured errors must be almost zero.
 TEST(TrackingAccuracy, OrderedCloudsAreTrackedExactly) {
   const NodeParameters parameters;
   const auto forecaster = make_ready_forecaster(parameters, std::make_unique<rigidformer::BallisticPredictor>());
@@ -55,7 +56,7 @@ TEST(TrackingAccuracy, OrderedCloudsAreTrackedExactly) {
   EXPECT_LT(ordered.forecast_m[0].quantile(0.5), 0.02);
 }
 
-// The full measure is scripts/tracking_accuracy.sh; this one scene keeps its bounds.
+// This test watches one scene. scripts/tracking_accuracy.sh makes the full measurement over ten scenes.
 TEST(TrackingAccuracy, RegistrationKeepsUpWithTruePoses) {
   NodeParameters parameters;
   parameters.model.file = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/small.safetensors";
@@ -75,7 +76,8 @@ TEST(TrackingAccuracy, RegistrationKeepsUpWithTruePoses) {
   EXPECT_LT(methods[0].position_m.quantile(0.5), 0.01);
   EXPECT_LT(methods[0].rotation_rad.quantile(0.5), 3.0 * M_PI / 180.0);
   EXPECT_LT(methods[1].position_m.quantile(1.0), 1e-6);
-  // Within a quarter of a second these objects fly freely and true poses foretell them exactly: no factor makes sense.
+  // The first horizon, a quarter of a second, has an absolute bound: these objects fly freely for so long, and from
+  // true poses they are predicted exactly, so that a factor of that error makes no sense.
   EXPECT_LT(methods[0].forecast_m.at(0).mean(), 0.05);
   EXPECT_LT(methods[0].forecast_m.at(1).mean(), 2.0 * methods[1].forecast_m.at(1).mean());
 }

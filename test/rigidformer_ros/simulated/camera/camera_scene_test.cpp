@@ -70,7 +70,7 @@ TEST(CameraScene, ATabletopSceneIsTheSameSceneSmallerAndFaster) {
     EXPECT_LT(rigidformer::rotation_angle(actual.rotation, expected.rotation), 1e-6);
     EXPECT_TRUE(small.surface_points(object).isApprox(0.07F * large.surface_points(object), 1e-5F));
   }
-  // Without noise the camera sees the same picture.
+  // The image without noise must be the same, because camera and scene shrink together.
   EXPECT_EQ(small.view(0).image.body, large.view(0).image.body);
 }
 

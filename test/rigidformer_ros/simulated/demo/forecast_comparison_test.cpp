@@ -46,7 +46,7 @@ TEST(PositionAt, RefusesPosesThatDoNotMatchTheTimes) {
 }
 
 TEST(Compare, MeasuresFromTheStampOfTheForecast) {
-  // The truth rises by 1 m per second; the forecast, made 1 s later, expects it to stand still.
+  // The object really rises by 1 m per second. The forecast, made 1 s after the start, expects it to stand still.
   const SceneForecast truth = scene(10.0, 0.5, motion("a", {0.0, 0.5, 1.0, 1.5, 2.0}));
   const SceneForecast forecast = scene(11.0, 0.5, motion("a", {1.0, 1.0, 1.0}));
   const auto comparisons = compare(forecast, truth, {0.5, 1.0}, /*gravity=*/0.0);
