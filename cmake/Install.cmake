@@ -1,4 +1,5 @@
-# What is installed where: the usual bin/lib/include/share, or catkin's folders in a workspace.
+# This file installs everything: into bin, lib, include and share, or into catkin's folders in a workspace.
+
 include(GNUInstallDirs)
 set(bin_dir ${CMAKE_INSTALL_BINDIR})
 set(lib_dir ${CMAKE_INSTALL_LIBDIR})
@@ -11,7 +12,8 @@ if(RIGIDFORMER_ROS)
   set(share_dir ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endif()
 
-# Installed programs find the libraries beside them, wherever the folder is moved to. Catkin has an environment for that.
+# Installed programs find their libraries by the path from one to the other, so that the installed folder can be moved.
+# In a catkin workspace the environment tells where libraries are.
 if(NOT RIGIDFORMER_ROS)
   file(RELATIVE_PATH lib_from_bin /${bin_dir} /${lib_dir})
   set_property(TARGET ${RIGIDFORMER_APPS} PROPERTY INSTALL_RPATH "$ORIGIN/${lib_from_bin}")
@@ -33,8 +35,8 @@ foreach(target rigidformer_ros_node rigidformer_ros_nodelet)
   endif()
 endforeach()
 
-# The public API as a CMake package: find_package(rigidformer) gives rigidformer::core, rigidformer::simulation and
-# rigidformer::rigidformer, each where it was built.
+# The public API is a CMake package: find_package(rigidformer) gives rigidformer::core, rigidformer::simulation and
+# rigidformer::rigidformer, as far as they were built.
 include(CMakePackageConfigHelpers)
 set(package_dir ${lib_dir}/cmake/rigidformer)
 install(TARGETS ${RIGIDFORMER_LIBRARIES} EXPORT rigidformer
@@ -52,12 +54,13 @@ install(TARGETS ${programs} ${libraries}
   RUNTIME DESTINATION ${bin_dir}
   LIBRARY DESTINATION ${lib_dir}
   ARCHIVE DESTINATION ${lib_dir})
-# From the real folders: in a workspace of links CMake would install the links.
+# Folders are installed from where they really are: in a workspace of links, CMake would install the links.
 install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/config ${RIGIDFORMER_SOURCE_DIR}/models DESTINATION ${share_dir})
 if(RIGIDFORMER_ROS)
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/ DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/launch DESTINATION ${share_dir})
-  # Part of config already; named here for catkin_lint, which does not look into folders.
+  # This file is installed with the folder config already. It is named here for catkin_lint, which does not look into
+  # folders.
   install(FILES config/nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/config)
 else()
   install(DIRECTORY ${RIGIDFORMER_SOURCE_DIR}/include/rigidformer DESTINATION ${include_dir} FILES_MATCHING PATTERN "*.hpp")

@@ -30,10 +30,12 @@ done
 for program in generate_scenes train evaluate model_info; do
   "$1/lib/rigidformer_ros/$program" --help >/dev/null
 done
-[ "$(rospack plugins --attrib=plugin nodelet | awk '$1 == "rigidformer_ros" {print $2}')" = "$share/config/nodelet_plugins.xml" ] ||
+plugins=$(rospack plugins --attrib=plugin nodelet | awk '$1 == "rigidformer_ros" {print $2}')
+[ "$plugins" = "$share/config/nodelet_plugins.xml" ] ||
   { echo "the nodelet is not exported"; exit 1; }
 if ldd "$1/lib/librigidformer_ros_nodelet.so" | grep 'not found'; then exit 1; fi
-for program in prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud tracking_accuracy; do
+for program in prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud \
+  tracking_accuracy; do
   if ldd "$1/lib/rigidformer_ros/$program" | grep 'not found'; then exit 1; fi
 done
 

@@ -43,7 +43,8 @@ int main(int argc, char** argv) {
   options.file = argv[0];
   if (argc > 1) std::cout << rigidformer::Predictor(options).info().id << '\n';
 #ifdef WITH_ROS
-  std::cout << rigidformer_ros::to_pose({}).orientation.w << rigidformer_ros::PredictRollout::Request().num_steps << '\n';
+  std::cout << rigidformer_ros::to_pose({}).orientation.w
+            << rigidformer_ros::PredictRollout::Request().num_steps << '\n';
   if (argc > 1) return rigidformer_ros::run_prediction_node();
 #endif
   return 0;

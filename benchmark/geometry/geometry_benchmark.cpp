@@ -23,7 +23,8 @@ std::vector<Points> clouds_of(const std::vector<ObjectState>& objects) {
   return clouds;
 }
 
-/// The steps of a rollout: trees are built once, poses move by a few centimetres and degrees between queries.
+/// Poses as in the steps of a rollout: trees are built once, and poses move by a few
+/// centimetres and degrees between queries.
 void trees(benchmark::State& state) {
   const auto objects = paper_scene();
   NearestPoints search(clouds_of(objects));
@@ -45,7 +46,7 @@ void trees_with_build(benchmark::State& state) {
   }
 }
 
-/// torch::cdist of all points against all, an object's own points masked out, then min.
+/// The alternative: torch::cdist of all points against all, an object's own points masked out, then min.
 void distance_matrix(benchmark::State& state) {
   torch::NoGradGuard no_grad;
   const auto objects = paper_scene();
@@ -53,7 +54,7 @@ void distance_matrix(benchmark::State& state) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Points world = objects[i].T_world_current.apply(objects[i].points_reference);
     parts.push_back(torch::from_blob(world.data(), {world.rows(), 3}).clone());
-    owners.push_back(torch::full({world.rows()}, static_cast<int64_t>(i)));
+    owners.push_back(torch::full({world.rows()}, static_cast<std::int64_t>(i)));
   }
   const Tensor points = torch::cat(parts);
   const Tensor owner = torch::cat(owners);
@@ -64,7 +65,7 @@ void distance_matrix(benchmark::State& state) {
   }
 }
 
-/// Rigid projection of the scene's anchors: 10 objects, 4 anchors each.
+/// Times the rigid projection of the scene's anchors: 10 objects with 4 anchors each.
 void kabsch(benchmark::State& state) {
   torch::NoGradGuard no_grad;
   const auto objects = paper_scene();

@@ -15,13 +15,14 @@
 namespace rigidformer {
 namespace {
 
-/// A network with random weights and the inputs of its parts on the paper's scene. Time does not depend on the weights.
+/// A network with random weights, and the inputs of its parts on the paper's scene. Time
+/// does not depend on the weights.
 struct Fixture {
   RigidFormer model{nullptr};
   SceneBatch batch;
   SceneState state;
   Tensor centre, points_world, anchors_world, features;
-  Tensor engine_at_points;  ///< What the engine says, [B, K, N, 0 or 6]
+  Tensor engine_at_points;  ///< Features of the engine's step, [B, K, N, 0 or 6]
   EngineStep engine;
   TokenPositions positions;
   Encoding encoding;
@@ -102,7 +103,8 @@ const bool kRegistered = [] {
     if (model_preset(preset).engine_motion) {
       register_part("physics_engine", preset, torch::kFloat32, [](Fixture& f) { f.engine(f.state); });
     }
-    // One whole step as it is written in the paper: float32, padded points, full distance matrix.
+    // The alternative: one whole step as it is written in the paper, with float32, padded
+    // points and a full distance matrix.
     register_part("step_with_distance_matrix", preset, torch::kFloat32, [](Fixture& f) {
       f.model->forward(f.batch, f.state, f.centre, nearest_by_distance_matrix, f.engine);
     });

@@ -18,9 +18,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kStepsPerRollout = 10;
-constexpr int kMemorySteps = 5000;
-constexpr int kWarmUpSteps = 500;
+constexpr int kStepsPerRollout = 10;  // chosen by eye, as the numbers below
+constexpr int kMemorySteps = 5000;    // steps over which memory is watched
+constexpr int kWarmUpSteps = 500;     // steps before the first look at memory
 
 /// A checkpoint with random weights, deleted at the end: time and memory do not depend on the weights.
 class TemporaryCheckpoint {
@@ -65,7 +65,7 @@ double resident_mib() {
   return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
 }
 
-/// One predicted step, everything included: mean over the steps of a rollout.
+/// Times one predicted step with everything included: the mean over the steps of a rollout.
 void step(benchmark::State& state, const std::string& preset, const std::string& precision) {
   const TemporaryCheckpoint checkpoint(preset);
   Predictor predictor(on_cpu(checkpoint.path(), precision));
@@ -77,7 +77,7 @@ void step(benchmark::State& state, const std::string& preset, const std::string&
   }
 }
 
-/// Resident memory over many steps of scenes whose point counts change from rollout to rollout.
+/// Watches resident memory over many steps of scenes whose point counts change from rollout to rollout.
 void memory_growth(benchmark::State& state) {
   const TemporaryCheckpoint checkpoint("small");
   Predictor predictor(on_cpu(checkpoint.path(), "float32"));
@@ -101,7 +101,7 @@ void memory_growth(benchmark::State& state) {
   state.counters["growth_MiB"] = resident_mib() - after_warm_up;
 }
 
-/// Peak memory in a process of its own, which only loads and predicts.
+/// Measures peak memory in a process of its own, which only loads and predicts.
 void peak_memory(benchmark::State& state, const std::string& preset) {
   const TemporaryCheckpoint checkpoint(preset);
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();

@@ -22,10 +22,10 @@ namespace {
 using testing::ShapeCamera;
 using PclCloud = pcl::PointCloud<pcl::PointNormal>;
 
-constexpr int kPoints = 1000;
-constexpr int kClouds = 20;
-constexpr double kTurn = 8.0 * M_PI / 180.0;  // of an object between two frames
-constexpr double kMove = 0.06;                // [m]
+constexpr int kPoints = 1000;                 // per cloud, about a metre large; chosen by eye
+constexpr int kClouds = 20;                   // over which errors are averaged; chosen by eye
+constexpr double kTurn = 8.0 * M_PI / 180.0;  // [rad] of an object between two frames; chosen by eye
+constexpr double kMove = 0.06;                // [m] of an object between two frames; chosen by eye
 
 PclCloud::Ptr to_pcl(const Points& points, const Points& normals) {
   auto cloud = std::make_shared<PclCloud>();
@@ -37,7 +37,7 @@ PclCloud::Ptr to_pcl(const Points& points, const Points& normals) {
   return cloud;
 }
 
-/// Views of one object about a metre large, each moved by another small motion from the known reference.
+/// Views of one object about a metre large, each moved by another small motion from the known reference cloud.
 struct Views {
   CorrespondenceOptions parameters;
   ShapeCamera camera{"bone", 1.0, 5};

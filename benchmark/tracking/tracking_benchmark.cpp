@@ -26,11 +26,12 @@ using testing::ShapeCamera;
 using testing::Tumble;
 using testing::View;
 
-constexpr int kFrames = 60;
-constexpr int kPoints = 1000;
-constexpr double kFramePeriod = 1.0 / 30.0;  // [s]
-constexpr double kWellVisible = 0.4;         // of the surface
-const Eigen::Vector3d kEye(0.0, -3.0, 1.0);  // [m]
+// The series of docs/tracking.md, "How well it works"; its numbers were chosen by eye.
+constexpr int kFrames = 60;                  // clouds in one series of 2 s
+constexpr int kPoints = 1000;                // points of one cloud
+constexpr double kFramePeriod = 1.0 / 30.0;  // [s] between two clouds
+constexpr double kWellVisible = 0.4;         // share of the surface, from which on a frame counts
+const Eigen::Vector3d kEye(0.0, -3.0, 1.0);  // position of the camera [m]
 
 std::vector<Tumble> tumbles() {
   Tumble first, second, slow;
@@ -40,13 +41,14 @@ std::vector<Tumble> tumbles() {
   return {first, second, slow};
 }
 
-/// What became of one series of clouds.
+/// The outcome of one series of clouds.
 struct Tracking {
-  double worst_position_m = 0.0;    ///< Of frames in which the object is well visible
-  double worst_rotation_rad = 0.0;  ///< Likewise
+  double worst_position_m = 0.0;    ///< Over the frames in which the object is well visible
+  double worst_rotation_rad = 0.0;  ///< Over the frames in which the object is well visible
   double add_s = 0.0, worst_add_s = 0.0;
   int frames = 0, well_visible = 0, within_target = 0, low_quality = 0, new_tracks = 0;
-  int flagged_within = 0, flagged_outside = 0;  ///< LOW_QUALITY among the well visible frames
+  /// LOW_QUALITY among the well visible frames, by whether they are within the target.
+  int flagged_within = 0, flagged_outside = 0;
 };
 
 /// Adds the cloud of one frame and compares; `T_object_track` leads from the frame of the track to the true one.

@@ -6,7 +6,7 @@
 
 namespace rigidformer {
 
-/// Of the first series of clouds of each shape in the benchmarks `track/...`; further series count up from there.
+/// Seed of the first series of clouds of each shape in the benchmarks `track/...`; further series count up from there.
 extern std::uint64_t tracking_seed;
 
 }  // namespace rigidformer

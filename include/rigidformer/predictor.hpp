@@ -15,7 +15,7 @@ namespace rigidformer {
 
 /// How to run a model. Field names are the YAML keys under `model:`.
 struct PredictorOptions {
-  std::string file;                   ///< Checkpoint (*.safetensors)
+  std::string file;                   ///< Checkpoint (*.safetensors) to load
   std::string device = "auto";        ///< auto | cpu | cuda | cuda:N; auto = CUDA when usable, else CPU
   std::string precision = "float32";  ///< float32 | bfloat16
   int num_threads = 1;                ///< CPU threads for tensor operations
@@ -28,16 +28,16 @@ struct PredictorOptions {
 
 /// What a loaded model is and where it can be trusted.
 struct ModelInfo {
-  std::string id;      ///< Preset and training name
-  std::string sha256;  ///< Of the checkpoint's tensors
-  std::string device;  ///< Where it runs
+  std::string id;      ///< Names of preset and training
+  std::string sha256;  ///< Hash of the checkpoint's tensors
+  std::string device;  ///< Device that the model runs on
   std::string precision;
   std::int64_t num_parameters = 0;
-  double min_time_step_s = 0.0, max_time_step_s = 0.0;  ///< Trained range
-  double min_size_m = 0.0, max_size_m = 0.0;            ///< Object diameters trained on
-  double max_speed_mps = 0.0;                           ///< Point speeds trained on
-  int max_objects = 0;                                  ///< Hard limit per call
-  int max_points = 0;                                   ///< Points per object actually used; more are subsampled
+  double min_time_step_s = 0.0, max_time_step_s = 0.0;  ///< Range of time steps that it was trained on
+  double min_size_m = 0.0, max_size_m = 0.0;            ///< Range of object diameters that it was trained on
+  double max_speed_mps = 0.0;                           ///< Highest speed of points that it was trained on
+  int max_objects = 0;                                  ///< Most objects per call
+  int max_points = 0;  ///< Points per object that the network looks at; more are thinned
 };
 
 /// Loads a RigidFormer checkpoint and rolls scenes out. Torch stays hidden behind the implementation.
@@ -55,19 +55,21 @@ class Predictor {
   virtual void warm_up();
 
   /// Rolls all objects out together (paper §3). Throws std::invalid_argument naming the option at fault.
-  /// Objects that cannot be predicted get Status::kUnusable with the reason, and the others the forecast that they have
-  /// without them: those to which there is an objection (scene/objection.hpp), whose id came before, or that are more
-  /// than the model takes. Where that leaves none of a scene, std::invalid_argument tells the reasons.
-  /// An empty scene gives an empty forecast.
+  /// Objects whose prediction stops being finite get Status::kDiverged and keep their last finite pose. Objects that
+  /// cannot be predicted get Status::kUnusable with the reason, and the others the forecast that they have without
+  /// them: those to which there is an objection (scene/objection.hpp), whose id came before, or that are more than the
+  /// model takes. Where that leaves none of a scene, std::invalid_argument tells the reasons. An empty scene gives an
+  /// empty forecast.
   virtual Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
-  /// The same in pieces: nothing is predicted before the first advance(). Throws what predict() throws.
+  /// Begins a rollout that goes on in pieces: nothing is predicted before the first
+  /// advance(). Throws what predict() throws.
   virtual std::unique_ptr<Rollout> start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
   virtual const ModelInfo& info() const;
 
  protected:
-  Predictor();  ///< For test doubles.
+  Predictor();  ///< For test doubles, which load no model.
 
  private:
   struct Impl;

@@ -9,8 +9,7 @@
 
 namespace rigidformer {
 
-/// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; index 0 is the
-/// observation.
+/// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; k = 0 is the observation.
 struct ObjectTrajectory {
   enum class Status {
     kOk,
@@ -23,21 +22,21 @@ struct ObjectTrajectory {
   std::string reason = {};  ///< Of kUnusable
 };
 
-/// The future of a scene.
+/// Predicted motion of a scene.
 struct Forecast {
-  std::vector<double> times_s;            ///< times_s[0] = 0, strictly increasing, spacing = time step
-  std::vector<ObjectTrajectory> objects;  ///< Same order as the input
+  std::vector<double> times_s;            ///< times_s[0] = 0, then in steps of the time step
+  std::vector<ObjectTrajectory> objects;  ///< Objects in the order of the input
   double compute_time_s = 0.0;
 };
 
-/// A rollout under way, for those who want to look in between: advancing by 8 and then by 16 steps gives what 24 at
+/// A rollout under way, for callers that want to look in between: advancing by 8 and then by 16 steps gives what 24 at
 /// once give. The predictor that began it must outlive it.
 class Rollout {
  public:
   virtual ~Rollout() = default;
 
-  /// Predicts `num_steps` more steps; returns everything from the observation on. The forecast's compute time is that
-  /// of all steps so far.
+  /// Predicts `num_steps` more steps and returns everything from the observation on. The forecast's compute
+  /// time is that of all steps so far.
   virtual const Forecast& advance(int num_steps) = 0;
 };
 

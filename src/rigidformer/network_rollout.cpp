@@ -17,17 +17,17 @@ NearestSearch tree_search(const SceneInput& input) {
   const auto origin_at_zero = std::make_shared<SceneInput>();
   origin_at_zero->origin_world.setZero();
   return [=](const SceneBatch& batch, const Pose& current, const Tensor&) {
-    const int64_t K = batch.max_objects(), N = batch.max_points();
+    const std::int64_t K = batch.max_objects(), N = batch.max_points();
     trees->query(to_world(*origin_at_zero, current), *found);
     Nearest nearest{torch::zeros({1, K, N}, torch::kInt64), torch::zeros({1, K, N}, torch::kBool)};
-    auto index = nearest.index.accessor<int64_t, 3>();
+    auto index = nearest.index.accessor<std::int64_t, 3>();
     auto valid = nearest.found.accessor<bool, 3>();
-    for (int64_t k = 0; k < K; ++k) {
+    for (std::int64_t k = 0; k < K; ++k) {
       const NearestNeighbors& neighbors = (*found)[static_cast<size_t>(k)];
       for (size_t i = 0; i < neighbors.object.size(); ++i) {
         if (neighbors.object[i] < 0) continue;
-        index[0][k][static_cast<int64_t>(i)] = neighbors.object[i] * N + neighbors.point[i];
-        valid[0][k][static_cast<int64_t>(i)] = true;
+        index[0][k][static_cast<std::int64_t>(i)] = neighbors.object[i] * N + neighbors.point[i];
+        valid[0][k][static_cast<std::int64_t>(i)] = true;
       }
     }
     return nearest;
@@ -86,13 +86,13 @@ void NetworkRollout::record(SceneState& next) {
     } else {
       object.status = ObjectTrajectory::Status::kDiverged;
       object.poses.push_back(object.poses.back());
-      freeze(next, static_cast<int64_t>(k));
+      freeze(next, static_cast<std::int64_t>(k));
     }
   }
 }
 
 /// A diverged object stays where it was last finite, so that the others can go on around it.
-void NetworkRollout::freeze(SceneState& next, int64_t k) {
+void NetworkRollout::freeze(SceneState& next, std::int64_t k) {
   batch_.dynamic_mask[0][k] = false;
   for (const Pose& pose : {next.current, next.previous}) {
     Tensor rotation = pose.rotation[0][k], translation = pose.translation[0][k];

@@ -24,7 +24,7 @@ class NetworkRollout : public Rollout {
  private:
   void step();
   void record(SceneState& next);
-  void freeze(SceneState& next, int64_t k);
+  void freeze(SceneState& next, std::int64_t k);
 
   RigidFormer model_;
   RestLimits rest_;

@@ -14,10 +14,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kMaxObjects = 256;
-constexpr double kTimeStepTolerance = 1e-6;  // [s]
+constexpr int kMaxObjects = 256;             // per call; as many as position_encoding.cpp can number
+constexpr double kTimeStepTolerance = 1e-6;  // [s] a time step rounded to microseconds is still in range
 
-/// Two clouds that fall: something to warm up with.
+/// Two clouds that fall: a scene to warm up with.
 std::vector<ObjectState> warm_up_scene() {
   std::vector<ObjectState> objects(2);
   for (size_t i = 0; i < objects.size(); ++i) {
@@ -29,8 +29,8 @@ std::vector<ObjectState> warm_up_scene() {
   return objects;
 }
 
-/// Keeps the matrices of the linear layers by columns: the linear-algebra library copies them at every multiplication,
-/// and this order it copies with vector instructions. The numbers stay the same.
+/// Stores the matrices of the linear layers by columns. The linear-algebra library copies them at every multiplication,
+/// and it copies this order with vector instructions. The numbers stay the same.
 void store_by_columns(RigidFormer& model) {
   torch::NoGradGuard no_grad;
   for (Tensor& parameter : model->parameters()) {
@@ -38,7 +38,7 @@ void store_by_columns(RigidFormer& model) {
   }
 }
 
-/// Of a scene without objects: time passes.
+/// The rollout of a scene without objects, in which only time passes.
 class EmptyRollout : public Rollout {
  public:
   explicit EmptyRollout(double time_step_s) : time_step_s_(time_step_s) { forecast_.times_s.push_back(0.0); }

@@ -14,7 +14,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kTimeStep_s = 5.0 / 240.0;
+constexpr double kTimeStep_s = 5.0 / 240.0;  // [s] five frames of the training data
 
 TrainingFacts facts_for_steps(double min_frames, double max_frames) {
   TrainingFacts facts;
@@ -26,7 +26,7 @@ TrainingFacts facts_for_steps(double min_frames, double max_frames) {
   return facts;
 }
 
-/// Two clouds that touch above the ground, so that every part of the network has work.
+/// Two clouds that touch above the ground, so that every part of the network has work to do.
 std::vector<ObjectState> touching_objects() {
   std::vector<ObjectState> objects(2);
   std::srand(5);
@@ -109,14 +109,14 @@ TEST_F(PredictorTest, ARolloutInPiecesIsTheWholeToTheBit) {
   const Forecast whole = predictor.predict(objects, short_rollout(5));
   const std::unique_ptr<Rollout> rollout = predictor.start(objects, short_rollout(5));
   EXPECT_EQ(rollout->advance(2).times_s.size(), 3u);
-  predictor.predict(objects, short_rollout(1));  // others may come in between
+  predictor.predict(objects, short_rollout(1));  // other calls may come in between
   const Forecast pieces = rollout->advance(3);
   EXPECT_EQ(pieces.times_s, whole.times_s);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     EXPECT_EQ(pose_difference(pieces.objects[i], whole.objects[i]), 0.0);
   }
 
-  // Two poses do not hold the velocity at the end of a step: starting anew from them gives something else.
+  // Two poses do not hold the velocity at the end of a step: a rollout that starts anew from them gives something else.
   auto later = objects;
   for (std::size_t i = 0; i < later.size(); ++i) {
     later[i].T_world_previous = whole.objects[i].poses[1];
@@ -138,7 +138,7 @@ TEST_F(PredictorTest, APhysicsEngineTakesPartInTheForecast) {
   const RolloutOptions rollout = short_rollout(60);
   const ObjectTrajectory alone = engine.predict(objects, rollout).objects[0];
   EXPECT_EQ(alone.status, ObjectTrajectory::Status::kOk);
-  EXPECT_GT(alone.poses.back().translation.z(), 0.05);  // it lies on the floor instead of falling through
+  EXPECT_GT(alone.poses.back().translation.z(), 0.05);  // the object lies on the floor instead of falling through
   options_.engine_share = -1.0;
   const ObjectTrajectory learned = Predictor(options_).predict(objects, rollout).objects[0];
   EXPECT_GT(pose_difference(alone, learned), 1e-3);

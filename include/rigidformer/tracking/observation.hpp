@@ -18,25 +18,26 @@ namespace rigidformer {
 struct ObjectObservation {
   std::string id;
   Stamp stamp;
+  Stamp arrival;        ///< When it came, by the clock of the receiver; zero = at its stamp
   Points points_world;  ///< [N, 3] m
   MotionMode mode = MotionMode::kDynamic;
   BodyProperties properties;
-  std::optional<RigidTransform> T_world_object;  ///< From a tracker; empty = found from the points
+  std::optional<RigidTransform> T_world_object;  ///< Given by a tracker; empty = found from the points
 };
 
 /// How well a cloud agrees with the moved reference cloud.
 struct RegistrationQuality {
-  double rmse_m = 0.0;        ///< Of the inliers
-  double inlier_ratio = 1.0;  ///< Share of the cloud's points that lie on the reference
+  double rmse_m = 0.0;        ///< Root mean square distance of the inliers from the reference cloud
+  double inlier_ratio = 1.0;  ///< Share of the cloud's points that lie on the reference cloud
 };
 
 /// An object as its track knows it at the instant of a scene.
 struct ObservedObject {
-  ObjectState state;            ///< Reference points about their centroid
-  bool assumed_static = false;  ///< Seen too little to know its velocity
+  ObjectState state;            ///< Reference cloud, with the poses at the scene's stamp and one time step earlier
+  bool assumed_static = false;  ///< The object was seen too little to know its velocity
   bool low_quality = false;     ///< The newest cloud does not fit a pose well
   RegistrationQuality quality;
-  std::uint64_t track = 0;  ///< Number of its track; every new track has another
+  std::uint64_t track = 0;  ///< Number of the track; every new track has another one
 };
 
 enum class SkipCause {
@@ -52,22 +53,23 @@ struct SkippedObject {
   SkipCause cause = SkipCause::kNotSeen;
 };
 
-/// The scene at `stamp`, each object with its pose then and exactly one time step earlier. Objects are ordered by id.
+/// The scene at `stamp`: each object has its pose then and its pose exactly one time step earlier, ordered by id.
 struct ObservedScene {
   Stamp stamp;
   double time_step_s = 0.0;
   std::vector<ObservedObject> objects;
   std::vector<SkippedObject> skipped;
+  std::string clock_remark;  ///< What is wrong with the clocks of the sensors; empty = nothing
 };
 
 /// Where the object of one track was seen.
 struct TrackRecord {
   std::uint64_t track = 0;
   PoseHistory poses;
-  bool low_quality = false;  ///< Of the newest pose
+  bool low_quality = false;  ///< The newest pose is not believed
 };
 
-/// By object id.
+/// Tracks by object id.
 using TrackRecords = std::map<std::string, TrackRecord>;
 
 }  // namespace rigidformer

@@ -8,11 +8,11 @@
 
 namespace rigidformer {
 
-/// How the points of one object in two clouds belong together.
+/// How the points of one object in two clouds correspond.
 enum class Correspondence {
   kOrdered,       ///< The same points in the same order, as simulators give them
-  kRegistration,  ///< Any points, as cameras give them: the pose is found by registration
-  kPose           ///< Any points, and a tracker gives the pose
+  kRegistration,  ///< Any points, as cameras give them; the pose is found by registration
+  kPose           ///< Any points; a tracker gives the pose
 };
 
 inline EnumNames<Correspondence> names_of(Correspondence) {
@@ -77,8 +77,8 @@ void for_each_member(CorrespondenceOptions& o, const Visit& visit) {
 
 /// Everything that a TrackStore wants to know.
 struct TrackingOptions {
-  int min_points = 4;                        ///< Finite points below which a cloud is refused
-  double sync_window_s = 0.1;                ///< An object seen longer ago than this before the newest sits out
+  int min_points = 4;          ///< A cloud with fewer finite points is refused
+  double sync_window_s = 0.1;  ///< [s] an object seen longer than this before the newest one is left out of the scene
   std::optional<double> length_scale = 1.0;  ///< At which objections count (scene/objection.hpp)
   HistoryOptions history;
   CorrespondenceOptions correspondence;

@@ -10,23 +10,24 @@
 
 namespace rigidformer {
 
-/// An object's observed poses over time, oldest first, bounded in number.
+/// The observed poses of one object over time, oldest first, bounded in number.
 class PoseHistory {
  public:
-  /// A pose closer than `min_dt_s` to the start of the newest entry replaces that entry, a later one is appended.
+  /// Replaces the newest entry by a pose closer than `min_dt_s` to the start of that entry, and appends a later one.
   /// `stamp` must not lie before newest_stamp().
   void add(Stamp stamp, const RigidTransform& T_world_object, double min_dt_s);
 
-  /// Pose at `stamp`: between entries the position is interpolated by a parabola through three of them (exact for free
-  /// fall), or linearly where only two serve, and the rotation by slerp. Extrapolates by at most one frame, in either
-  /// direction. Empty when that does not reach the instant, or for any other instant of a history with a single pose.
+  /// Pose at `stamp`. Between entries the position lies on a parabola through three of them (exact for free fall),
+  /// or on a line where only two serve, and the rotation is interpolated by slerp. At most one frame is
+  /// extrapolated, in either direction. The answer is empty for an instant beyond that, and for any other instant
+  /// of a history with a single pose.
   std::optional<RigidTransform> pose_at(Stamp stamp) const { return pose_before(stamp, 0.0); }
 
-  /// Pose `seconds` before `stamp` (an instant between the nanoseconds of a stamp).
+  /// Pose at the instant `seconds` before `stamp`, which may lie between the nanoseconds of a stamp.
   std::optional<RigidTransform> pose_before(Stamp stamp, double seconds) const;
 
-  /// Pose at `stamp`, however far after newest_stamp(), if the twist of the last frames stayed constant; the newest
-  /// pose where there is no other. The history must not be empty.
+  /// Pose at `stamp`, however far after newest_stamp(), if the twist of the last frames stayed constant; it is the
+  /// newest pose where there is no other. The history must not be empty.
   RigidTransform predict(Stamp stamp) const;
 
   Stamp newest_stamp() const { return entries_.back().stamp; }
@@ -36,7 +37,7 @@ class PoseHistory {
 
  private:
   struct Entry {
-    Stamp first_stamp;  ///< Of the first pose this entry held
+    Stamp first_stamp;  ///< Stamp of the first pose that this entry held
     Stamp stamp;
     RigidTransform T_world_object;
   };

@@ -9,7 +9,7 @@ namespace rigidformer {
 /// The instant of an observation, to the nanosecond. A default-made stamp is the zero of its clock.
 using Stamp = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
 
-/// `seconds` to the nearest nanosecond.
+/// Converts `seconds` to the nearest nanosecond.
 std::chrono::nanoseconds to_duration(double seconds);
 
 /// The instant `seconds` >= 0 after the zero of the clock, to the nearest nanosecond.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rigidformer/tracking/observation.hpp"
 #include "rigidformer/tracking/options.hpp"
@@ -14,21 +15,25 @@
 namespace rigidformer {
 
 struct CloudRegistration;
+struct Sighting;
+enum class Presence;
 
 /// What became of an observation.
 enum class AddResult {
-  kExtended,       ///< Continued its track
-  kLowQuality,     ///< Likewise, but the cloud fits no pose well
-  kNewTrack,       ///< Began a track
-  kTimeRestarted,  ///< Stamp far in the past: everything was cleared, then a track begun
-  kLate,           ///< Slightly older than the newest: dropped
-  kTooFewPoints,   ///< Dropped
-  kNoPose,         ///< Dropped: correspondence is by pose and there is none
+  kExtended,    ///< It continued its track.
+  kLowQuality,  ///< It continued its track, but the cloud fits no pose well.
+  kNewTrack,    ///< It began a track.
+  /// It began a track, because the last cloud of its object is too long ago to tell a velocity.
+  kNewTrackAfterGap,
+  kTimeRestarted,  ///< Its stamp lies far in the past: everything was cleared, and it began a track.
+  kLate,           ///< It is slightly older than the newest one and was dropped.
+  kTooFewPoints,   ///< It has too few points and was dropped.
+  kNoPose,         ///< It has no pose although correspondence is by pose, and was dropped.
 };
 
-/// Keeps one track per object id: a reference cloud and the poses since it began. Knows time by stamps only. Objects
-/// that no model can predict are skipped in every scene and have no say in its time, so that the others are seen as if
-/// they were not there. Not thread safe.
+/// Keeps one track per object id: a reference cloud and the poses since the track began. Stamps and arrivals of the
+/// observations are the only clocks. Objects that no model can predict are skipped in every scene and have no say in
+/// its instant, so that the others are seen as if they were not there. Not thread safe.
 class TrackStore {
  public:
   explicit TrackStore(const TrackingOptions& options);
@@ -38,7 +43,7 @@ class TrackStore {
 
   AddResult add(const ObjectObservation& observation);
 
-  /// The newest scene that all current objects share; empty store = empty scene with stamp 0.
+  /// The newest scene that all current objects share. An empty store gives an empty scene with stamp 0.
   ObservedScene snapshot(double time_step_s) const;
 
   /// Why this object is skipped in every scene, with what is known of it now; empty = it is not, or there is none.
@@ -46,12 +51,14 @@ class TrackStore {
 
   TrackRecords records() const;
 
+  /// Stamp of the newest cloud of an object; empty = it is not tracked.
+  std::optional<Stamp> newest_stamp_of(const std::string& id) const;
+
   void clear();
   bool empty() const { return tracks_.empty(); }
 
  private:
   struct Track;
-  enum class TimeRank { kUnusable, kStatic, kMoving };  ///< Whose clouds tell what time it is: the highest ones'
 
   AddResult begin_track(const ObjectObservation& observation, const std::vector<int>& seen_rows);
   AddResult extend_track(Track& track, const ObjectObservation& observation, const std::vector<int>& seen_rows);
@@ -64,12 +71,13 @@ class TrackStore {
   AddResult taken_in(Track& track, AddResult result);
   void forget_unseen();
   bool is_ordered() const { return options_.correspondence.method == Correspondence::kOrdered; }
-  Stamp newest_stamp(TimeRank highest) const;
-  Stamp common_stamp(Stamp newest) const;
+  std::vector<Sighting> sightings() const;
+  Stamp newest_arrival() const;
+  void add_moving(ObservedScene& scene, const std::string& id, const Track& track, Presence presence) const;
   ObservedObject observe(const std::string& id, const Track& track, Stamp stamp, double time_step_s) const;
 
   TrackingOptions options_;
-  std::map<std::string, std::unique_ptr<Track>> tracks_;  ///< By object id
+  std::map<std::string, std::unique_ptr<Track>> tracks_;  ///< The tracks by object id
   std::uint64_t num_tracks_begun_ = 0;
 };
 

@@ -13,7 +13,7 @@ std::vector<std::vector<RigidTransform>> BulletForecaster::forecast(const std::v
   BulletWorld world(settings);
   std::vector<std::vector<RigidTransform>> poses;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    // Bullet moves by the velocity after the kick of gravity: starting half a kick back makes free flight exact.
+    // Bullet moves bodies by the velocity after the kick of gravity: starting half a kick back makes free flight exact.
     BodyState state = bodies[i].state;
     state.velocity.z() -= half_fall(rollout.time_step_s, rollout.gravity) / settings.substeps;
     world.add_body({objects[i].id, 1.0, bodies[i].parts}, 1.0, bodies[i].properties, state);

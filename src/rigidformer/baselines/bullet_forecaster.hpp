@@ -11,17 +11,17 @@
 
 namespace rigidformer {
 
-/// Bullet on what the network sees (see observed_body.hpp), with the solver settings of the MOVi scenes and one solver
-/// step per 240 Hz frame.
+/// Bullet, given what the network sees (see observed_body.hpp), with the solver settings of the MOVi scenes and
+/// one solver step per 240 Hz frame.
 class BulletForecaster : public Forecaster {
  public:
-  /// One convex hull per object, or what `decompose` makes of its points.
+  /// Bodies have one convex hull each, or the parts that `decompose` makes of their points.
   explicit BulletForecaster(std::string name = "bullet", Decomposition decompose = one_hull)
       : name_(std::move(name)), decompose_(std::move(decompose)) {}
 
   std::string name() const override { return name_; }
 
-  /// Throws std::invalid_argument as observe_bodies does.
+  /// Throws std::invalid_argument for what observe_bodies() refuses.
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
                                                     const RolloutOptions& rollout) override;
 

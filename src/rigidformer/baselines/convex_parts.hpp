@@ -8,9 +8,9 @@
 
 namespace rigidformer {
 
-/// Convex parts that together come closer to the object than one hull: the enclosed surface of the cloud (see
-/// enclosed_surface.hpp), cut by HACD. One hull when nothing is enclosed or the surface is convex but for a tenth of
-/// its volume. Throws std::invalid_argument as enclosed_surface does.
+/// Convex parts that together come closer to the object than one hull does: the enclosed surface of the cloud (see
+/// enclosed_surface.hpp), cut by HACD. It is one hull when nothing is enclosed, or when the surface fills nine tenths
+/// of its hull. Throws std::invalid_argument for what enclosed_surface() refuses.
 std::vector<ConvexPart> convex_parts(const Points& points);
 
 }  // namespace rigidformer

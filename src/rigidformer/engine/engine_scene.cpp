@@ -25,23 +25,23 @@ Points to_points(const Tensor& cloud, const Tensor& mask) {
 }
 
 /// What was seen of object `k` of scene `b`.
-Points seen_points(const SceneBatch& batch, int64_t b, int64_t k) {
+Points seen_points(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
   if (batch.surface_points.defined()) return to_points(batch.surface_points[b][k], batch.surface_mask[b][k]);
   return to_points(batch.points_reference[b][k], batch.point_mask[b][k]);
 }
 
 /// What is guessed beside it; may be empty.
-Points hidden_points(const SceneBatch& batch, int64_t b, int64_t k) {
+Points hidden_points(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
   if (!batch.hidden_points.defined()) return {};
-  const int64_t P = batch.hidden_points.size(2);
+  const std::int64_t P = batch.hidden_points.size(2);
   return to_points(batch.hidden_points[b][k], batch.point_mask[b][k].slice(0, 0, P));
 }
 
 /// Material as far as it is known.
-BodyProperties known_properties(const SceneBatch& batch, int64_t b, int64_t k) {
+BodyProperties known_properties(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
   const Tensor known = batch.properties_known[b][k] > 0.0;
   const Tensor properties = batch.properties[b][k];
-  const auto property = [&](int64_t i) {
+  const auto property = [&](std::int64_t i) {
     return known[i].item<bool>() ? std::optional<double>(value(properties[i])) : std::nullopt;
   };
   return {property(0), property(1), property(2)};
@@ -53,7 +53,7 @@ bool is_finite(const BodyState& state) {
 
 }  // namespace
 
-EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference, int64_t b)
+EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b)
     : scene_(b),
       time_step_s_(value(batch.step_size[b]) / kFrameRateHz),
       gravity_(value(batch.gravity[b])),
@@ -61,7 +61,7 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
       world_(observed_world(time_step_s_, gravity_)) {
   std::vector<Solid> solids;
   double total_mass_kg = 0.0;
-  for (int64_t k = 0; k < batch.max_objects(); ++k) {
+  for (std::int64_t k = 0; k < batch.max_objects(); ++k) {
     if (!batch.object_mask[b][k].item<bool>()) continue;
     const Tensor c = centre_reference[b][k];
     bodies_.push_back({k, batch.dynamic_mask[b][k].item<bool>(), {value(c[0]), value(c[1]), value(c[2])}, {}, false});
@@ -80,7 +80,7 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
   }
 }
 
-EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, int64_t b, Body& body) {
+EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, std::int64_t b, Body& body) {
   const ObservedHull observed =
       observe_hull(seen_points(batch, b, body.object), body.centre_reference, hidden_points(batch, b, body.object));
   if (!observed.centre_of_mass.allFinite() || !(observed.volume_m3 > 0.0)) {

@@ -8,9 +8,9 @@
 
 namespace rigidformer {
 
-/// Greedy farthest point sampling. Returns `count` (at most N) row indices of `points`, in the order chosen. The first
-/// is the point farthest from the centroid, so the result does not depend on the order of the points (ties aside) or on
-/// the frame.
+/// Greedy farthest point sampling: returns `count` (at most N) row indices of `points`, in the order in which they were
+/// chosen. The first is the point farthest from the centroid, so that the result depends neither on the order of the
+/// points (but for ties) nor on the frame.
 std::vector<int> farthest_point_order(const Points& points, int count);
 
 }  // namespace rigidformer

@@ -9,14 +9,14 @@
 
 namespace rigidformer {
 
-/// For each of the N points of one object: the nearest point of any other object. -1 where there is no other object.
+/// For each of the N points of one object, the nearest point of any other object; -1 where there is no other object.
 struct NearestNeighbors {
-  std::vector<int> object;  ///< [N] index of the other object
+  std::vector<int> object;  ///< [N] number of the other object
   std::vector<int> point;   ///< [N] row in that object's cloud
 };
 
-/// Exact nearest points between rigid clouds that move. Each cloud gets one search tree in its own frame, built once;
-/// a query only moves the poses. The answers of the last query bound the next search, so small motions are cheapest.
+/// Exact nearest points between rigid clouds that move. Each cloud gets one search tree in its own frame, built once; a
+/// query only moves the poses. The answers of the last query bound the next search, so that small motions cost least.
 /// Not thread safe; queries do not allocate after the first.
 class NearestPoints {
  public:
@@ -26,8 +26,8 @@ class NearestPoints {
   NearestPoints(NearestPoints&&) noexcept;
   NearestPoints& operator=(NearestPoints&&) noexcept;
 
-  /// Fills `nearest[i]` for every object i at the given poses, one per cloud. Distances are compared in float32.
-  /// Throws std::invalid_argument for a wrong number of poses or an invalid pose.
+  /// Fills `nearest[i]` for every object i at the given poses, one per cloud. Distances are compared in float32. Throws
+  /// std::invalid_argument for a wrong number of poses or an invalid pose.
   void query(const std::vector<RigidTransform>& T_world_object, std::vector<NearestNeighbors>& nearest);
 
  private:

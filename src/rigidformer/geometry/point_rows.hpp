@@ -11,7 +11,7 @@ namespace rigidformer {
 /// Indices of the rows of `points` that are finite.
 std::vector<int> finite_rows(const Points& points);
 
-/// The given rows of `points`.
+/// Selects rows of `points`.
 Points select_rows(const Points& points, const std::vector<int>& rows);
 
 }  // namespace rigidformer

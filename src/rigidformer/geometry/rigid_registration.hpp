@@ -6,8 +6,8 @@
 
 namespace rigidformer {
 
-/// Least-squares rigid motion T_target_source between two clouds [N, 3] whose rows correspond (Kabsch; no scale).
-/// Throws std::invalid_argument for different sizes, fewer than 3 points or coordinates that are not finite.
+/// Least-squares rigid motion T_target_source between two clouds [N, 3] whose rows correspond (Kabsch's method, without
+/// scale). Throws std::invalid_argument for different sizes, fewer than 3 points or coordinates that are not finite.
 RigidTransform fit_rigid_transform(const Points& source, const Points& target);
 
 /// Distance [m] of each row of `target` [N, 3] from the moved row of `source` [N, 3].

@@ -7,7 +7,7 @@
 
 namespace rigidformer {
 
-/// A path as a gnuplot string.
+/// Quotes a path as a string of gnuplot.
 std::string gnuplot_string(const std::filesystem::path& path);
 
 /// Runs commands in gnuplot; false when it is not installed or fails.

@@ -9,7 +9,7 @@
 
 namespace rigidformer {
 
-/// SHA-256 of bytes that arrive in pieces.
+/// Computes the SHA-256 of bytes that arrive in pieces.
 class Sha256 {
  public:
   Sha256();
@@ -19,7 +19,7 @@ class Sha256 {
 
   void update(const void* data, std::size_t size);
 
-  /// 64 lower-case hex digits. Call once, at the end.
+  /// Returns the hash as 64 lower-case hex digits. Must be called once, at the end.
   std::string finish();
 
  private:

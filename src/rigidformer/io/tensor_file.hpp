@@ -26,8 +26,9 @@ struct RawTensor {
   std::int64_t num_elements() const;
 };
 
-/// A file of named tensors and text metadata in the safetensors layout: an 8-byte header length, a JSON header,
-/// raw data. Reading it never executes anything. The metadata carries a SHA-256 of header and data, checked on reading.
+/// A file of named tensors and text metadata in the safetensors layout: an 8-byte header length, a JSON
+/// header, raw data. Reading it never executes anything. The metadata carry a SHA-256 of header and
+/// data, which is checked on reading.
 struct TensorFile {
   std::map<std::string, RawTensor> tensors;
   std::map<std::string, std::string> metadata;
@@ -50,8 +51,8 @@ class TensorFileReader {
 
   const std::map<std::string, std::string>& metadata() const;
 
-  /// The next tensor in the order of the file. Empty after the last one, when the hash was right; nothing that was read
-  /// may be trusted before that.
+  /// Reads the next tensor in the order of the file. It is empty after the last one, if the hash was right; nothing
+  /// that was read may be trusted before that.
   std::optional<NamedTensor> next();
 
  private:
@@ -59,10 +60,10 @@ class TensorFileReader {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The whole file at once; throws as the reader does.
+/// Reads the whole file at once; throws as the reader does.
 TensorFile read_tensor_file(const std::filesystem::path& path);
 
-/// SHA-256 in lower-case hex stored in the metadata of `file`; empty unless the file was read from disk.
+/// The SHA-256 in lower-case hex that the metadata of `file` hold; empty unless the file was read from disk.
 std::string stored_sha256(const TensorFile& file);
 
 /// Makes a raw tensor from a contiguous array.

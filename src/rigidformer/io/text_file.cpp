@@ -50,13 +50,13 @@ void save_text_file(const std::filesystem::path& path, const std::string& text) 
 }
 
 bool nests_too_deeply(const std::string& json) {
-  constexpr int kMaxDepth = 64;
+  constexpr int kMaxDepth = 64;  // levels, which no stack is too small for; chosen by eye
   int depth = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const char c = json[i];
     if (quoted) {
-      if (c == '\\') ++i;  // what follows is part of the string, even a quotation mark
+      if (c == '\\') ++i;  // the next character is part of the string, even a quotation mark
       if (c == '"') quoted = false;
     } else if (c == '"') {
       quoted = true;

@@ -8,8 +8,8 @@
 
 namespace rigidformer {
 
-/// The bytes of a regular file. Throws std::runtime_error naming the defect (not the path) when it cannot be read or is
-/// larger than `max_bytes`; nothing is allocated before the size is known.
+/// Reads the bytes of a regular file. Throws std::runtime_error naming the defect (not the path) when the file cannot
+/// be read or is larger than `max_bytes`; nothing is allocated before the size is known.
 std::string read_text_file(const std::filesystem::path& path, std::uintmax_t max_bytes);
 
 /// Writes to a temporary file and renames it, so that neither a crash nor a full disk leaves half a file; what is there

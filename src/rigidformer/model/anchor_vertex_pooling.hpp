@@ -12,10 +12,10 @@ namespace rigidformer {
 struct AnchorVertexPoolingImpl : torch::nn::Module {
   explicit AnchorVertexPoolingImpl(const ModelOptions& options);
 
-  /// f [B, K, N, E], points [B, K, N, 3], anchors [B, K, A, 3] -> [B, K, A, avp_dim].
+  /// Maps f [B, K, N, E], points [B, K, N, 3] and anchors [B, K, A, 3] to [B, K, A, avp_dim].
   Tensor forward(const Tensor& f, const Tensor& points, const Tensor& point_mask, const Tensor& anchors);
 
-  Tensor log_sigma;  ///< scalar, log of the bandwidth in m
+  Tensor log_sigma;  ///< Scalar, logarithm of the bandwidth sigma in m
   Mlp mlp{nullptr};
 };
 TORCH_MODULE(AnchorVertexPooling);

@@ -14,15 +14,15 @@ struct TokenSet {
   Tensor angles;  ///< [B, T, rotary_dim] or undefined
 };
 
-/// Multi-head attention with QK-normalisation, rotary positions and a query-conditioned sigmoid gate (§3.1):
-/// y = sigmoid(G(Q)) * Attn(Q, K, V). Self-attention when both arguments are the same set.
+/// Multi-head attention with QK-normalisation, rotary positions and a query-conditioned sigmoid gate (§3.1): y =
+/// sigmoid(G(Q)) * Attn(Q, K, V). It is self-attention when both arguments are the same set.
 struct GatedAttentionImpl : torch::nn::Module {
   explicit GatedAttentionImpl(const ModelOptions& options);
 
   /// Returns [B, T_query, D]. Rows of invalid queries are meaningless.
   Tensor forward(const TokenSet& query, const TokenSet& key);
 
-  int64_t num_heads, head_dim;
+  std::int64_t num_heads, head_dim;
   Linear to_query{nullptr}, to_key{nullptr}, to_value{nullptr}, to_gate{nullptr}, to_output{nullptr};
   RmsNorm query_norm{nullptr}, key_norm{nullptr};
   torch::nn::Dropout drop{nullptr};

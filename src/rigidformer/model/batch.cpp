@@ -37,7 +37,7 @@ Tensor gather_points(const Tensor& values, const Tensor& index) {
 }
 
 Tensor gather_scene_points(const Tensor& values, const Tensor& index) {
-  const int64_t B = values.size(0), K = values.size(1), N = values.size(2), C = values.size(3);
+  const std::int64_t B = values.size(0), K = values.size(1), N = values.size(2), C = values.size(3);
   const auto wide = index.reshape({B, K * N, 1}).expand({B, K * N, C});
   return values.reshape({B, K * N, C}).gather(1, wide).reshape({B, K, N, C});
 }

@@ -14,10 +14,11 @@ namespace rigidformer {
 
 using torch::Tensor;
 
-/// Simulation frames per second: one frame is the unit of the step size s, time step = s / kFrameRateHz.
+/// Simulation frames per second, as in the MOVi scenes. One frame is the unit of the step size
+/// s: time step = s / kFrameRateHz.
 constexpr double kFrameRateHz = 240.0;
 
-/// Ground height that stands for "no ground" [m].
+/// Ground height that stands for "no ground" [m]: far below any scene, chosen by eye.
 constexpr double kNoGround = -1000.0;
 
 /// A batch of rigid poses T_world_reference.
@@ -51,9 +52,9 @@ struct SceneBatch {
   /// [B, K, N, 3] outward unit normals, estimated from the points; undefined where no model needs them.
   Tensor normals_reference;
 
-  int64_t num_scenes() const { return points_reference.size(0); }
-  int64_t max_objects() const { return points_reference.size(1); }
-  int64_t max_points() const { return points_reference.size(2); }
+  std::int64_t num_scenes() const { return points_reference.size(0); }
+  std::int64_t max_objects() const { return points_reference.size(1); }
+  std::int64_t max_points() const { return points_reference.size(2); }
 
   Tensor time_step() const;          ///< [B] s
   Tensor anchors_reference() const;  ///< [B, K, A, 3]
@@ -80,19 +81,19 @@ struct SceneState {
   SceneState to(const torch::Device& device) const;
 };
 
-/// The nearest point of another object, per vertex.
+/// For every vertex, the nearest point of another object.
 struct Nearest {
   Tensor index;  ///< [B, K, N] int64 into the flattened (K * N) points of the scene
   Tensor found;  ///< [B, K, N] bool, false where there is no other object (or the vertex is padding)
 };
 
-/// Finds the nearest points of other objects for world points [B, K, N, 3]; poses are given for searches that keep
-/// one tree per rigid object.
+/// Finds the nearest points of other objects for world points [B, K, N, 3]. Poses are given for searches that
+/// keep one tree per rigid object.
 using NearestSearch = std::function<Nearest(const SceneBatch&, const Pose& current, const Tensor& points_world)>;
 
-/// What a physics engine makes of the next step.
+/// The next step as a physics engine makes it.
 struct EngineMotion {
-  Pose pose;       ///< At t + 1
+  Pose pose;       ///< Pose at t + 1
   Pose departure;  ///< Pose at t from which free motion arrives at `pose` with the velocity that the engine gives it
   Tensor certain;  ///< [B, K] bool, true = moving, seen from all sides, of known material; undefined = none is
 };

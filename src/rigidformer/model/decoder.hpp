@@ -10,9 +10,9 @@ namespace rigidformer {
 
 /// One block of §3.1: residual self-attention, FiLM by the step-size code, residual SwiGLU.
 struct DecoderBlockImpl : torch::nn::Module {
-  DecoderBlockImpl(const ModelOptions& options, int64_t code_dim);
+  DecoderBlockImpl(const ModelOptions& options, std::int64_t code_dim);
 
-  /// Returns the new tokens [B, T, D].
+  /// Maps tokens [B, T, D] to new tokens [B, T, D].
   Tensor forward(const TokenSet& z, const Tensor& code);
 
   RmsNorm attention_norm{nullptr}, ffn_norm{nullptr};
@@ -25,9 +25,9 @@ TORCH_MODULE(DecoderBlock);
 /// Block attention residual (ref. [20]): the stream continues from a softmax-weighted mix of all block summaries so
 /// far. Scores come from a learned vector on the normalised summary plus a bias that starts on the newest summary.
 struct BlockResidualImpl : torch::nn::Module {
-  BlockResidualImpl(int64_t dim, int64_t num_summaries);
+  BlockResidualImpl(std::int64_t dim, std::int64_t num_summaries);
 
-  /// summaries: `num_summaries` tensors [B, T, D], oldest first.
+  /// Mixes the summaries: `num_summaries` tensors [B, T, D], oldest first.
   Tensor forward(const std::vector<Tensor>& summaries);
 
   RmsNorm norm{nullptr};
@@ -36,14 +36,14 @@ struct BlockResidualImpl : torch::nn::Module {
 };
 TORCH_MODULE(BlockResidual);
 
-/// L blocks over object tokens and register tokens (registers have no position).
+/// L blocks over object tokens and register tokens; registers have no position.
 struct ObjectDecoderImpl : torch::nn::Module {
-  ObjectDecoderImpl(const ModelOptions& options, int64_t code_dim);
+  ObjectDecoderImpl(const ModelOptions& options, std::int64_t code_dim);
 
-  /// objects: tokens [B, K, D]; returns Z^(0) ... Z^(L), each [B, K, D], registers left out.
+  /// Maps object tokens [B, K, D] to Z^(0) ... Z^(L), each [B, K, D], with the registers left out.
   std::vector<Tensor> forward(const TokenSet& objects, const Tensor& code);
 
-  int64_t blocks_per_summary;
+  std::int64_t blocks_per_summary;
   Tensor registers;  ///< [R, D]
   torch::nn::ModuleList blocks, residuals;
 };

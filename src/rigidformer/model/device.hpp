@@ -8,8 +8,8 @@
 
 namespace rigidformer {
 
-/// auto | cpu | cuda | cuda:N to a device that works. `auto` prefers CUDA; an explicit CUDA device that is not usable
-/// is an error (std::runtime_error), never a silent CPU. Other texts: std::invalid_argument.
+/// Turns auto, cpu, cuda or cuda:N into a device that works. `auto` prefers CUDA. An explicit CUDA device that is not
+/// usable is an error (std::runtime_error), never silently the CPU. Other texts throw std::invalid_argument.
 torch::Device select_device(const std::string& name);
 
 }  // namespace rigidformer

@@ -7,18 +7,18 @@
 
 namespace rigidformer {
 
-/// What the encoder knows about each object.
+/// The encoder's view of each object.
 struct Encoding {
   Tensor tokens;           ///< [B, K, D]
-  Tensor vertex_features;  ///< [B, K, N, E] backbone features f for anchor-vertex pooling
+  Tensor vertex_features;  ///< [B, K, N, E] features f of the backbone, for anchor-vertex pooling
 };
 
 /// Hierarchical PointNet (§3.1): a shared point MLP, max-pooled over 100, 50, 25 and 12.5 % of the points in
-/// farthest-point order, the four levels fused into one object token.
+/// farthest-point order. The four levels are fused into one object token.
 struct PointEncoderImpl : torch::nn::Module {
   explicit PointEncoderImpl(const ModelOptions& options);
 
-  /// features [B, K, N, F] in farthest-point order, point_mask [B, K, N].
+  /// Encodes features [B, K, N, F] in farthest-point order with point_mask [B, K, N].
   Encoding forward(const Tensor& features, const Tensor& point_mask);
 
   torch::nn::ModuleList backbone, level_mlps;

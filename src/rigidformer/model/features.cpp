@@ -8,9 +8,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kSpeedUnit = 5.0;                // [m/s] velocities are divided by this
-constexpr double kSquashLengths[] = {0.05, 0.5};  // [m] resolution near contact, reach at a distance
-constexpr double kFarDisplacement = 100.0;        // [m] stands for "nothing there"
+constexpr double kSpeedUnit = 5.0;                // [m/s] unit of velocities; chosen by eye
+constexpr double kSquashLengths[] = {0.05, 0.5};  // [m] for resolution near contact and reach far away; by eye
+constexpr double kFarDisplacement = 100.0;        // [m] stands for "nothing there"; chosen by eye
 
 /// d / (|d| + l): linear near contact (and continuous through it), bounded far away. [..., 3] -> [..., 3 per length].
 Tensor squash(const Tensor& displacement) {
@@ -35,7 +35,7 @@ Tensor nearest_displacement(const Tensor& to_object, const Tensor& height) {
 }
 
 /// [B, K, 3] -> [B, K, N, 3]
-Tensor per_vertex(const Tensor& per_object, int64_t N) { return per_object.unsqueeze(2).expand({-1, -1, N, -1}); }
+Tensor per_vertex(const Tensor& per_object, std::int64_t N) { return per_object.unsqueeze(2).expand({-1, -1, N, -1}); }
 
 /// Material as the network reads it: mass on a logarithmic scale, unknown values at zero.
 Tensor material_code(const SceneBatch& batch) {
@@ -62,7 +62,7 @@ Tensor contact_features(const SceneBatch& batch, const Tensor& to_object, const 
       -1);
 }
 
-constexpr int64_t kContactFeatures = 6 + 6 + 3 + 1 + 2 + 2;  // without the partner's material
+constexpr std::int64_t kContactFeatures = 6 + 6 + 3 + 1 + 2 + 2;  // without the partner's material
 
 /// Points and their normals, both [B, K, N, 3], world.
 struct TangentPlanes {
@@ -101,13 +101,13 @@ Tensor plane_features(const SceneBatch& batch, const SceneState& state, const Ba
       .masked_fill(nearest.found.logical_not().unsqueeze(-1), 0.0);
 }
 
-constexpr int64_t kPlaneFeatures = 4 * 2 + 3 + 3 + 1;
+constexpr std::int64_t kPlaneFeatures = 4 * 2 + 3 + 3 + 1;
 
 }  // namespace
 
-int64_t num_vertex_features(const ModelOptions& options) {
-  const int64_t material = options.property_mask ? 6 : 3;
-  int64_t count = 3 + material;  // v and material
+std::int64_t num_vertex_features(const ModelOptions& options) {
+  const std::int64_t material = options.property_mask ? 6 : 3;
+  std::int64_t count = 3 + material;  // v and material
   count += options.contact_features ? kContactFeatures + material : 3;
   if (options.reference_offset_feature) count += 3;
   if (options.position_feature) count += 3;
@@ -115,7 +115,7 @@ int64_t num_vertex_features(const ModelOptions& options) {
   return count;
 }
 
-int64_t num_engine_features(const ModelOptions& options) { return options.engine_motion ? 6 : 0; }
+std::int64_t num_engine_features(const ModelOptions& options) { return options.engine_motion ? 6 : 0; }
 
 Tensor engine_features(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
                        const EngineMotion& engine, const Tensor& points_reference) {
@@ -127,7 +127,7 @@ Tensor engine_features(const SceneBatch& batch, const SceneState& state, const B
 
 Tensor vertex_features(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,
                        const BaseMotion& base, const Tensor& x, const Nearest& nearest) {
-  const int64_t N = batch.max_points();
+  const std::int64_t N = batch.max_points();
   const Tensor height = (x.slice(-1, 2) - batch.ground_height.reshape({-1, 1, 1, 1})).clamp_max(kFarDisplacement);
   const Tensor far = torch::full_like(x, kFarDisplacement);
   const Tensor to_object =

@@ -9,10 +9,10 @@
 namespace rigidformer {
 
 /// Number of features per vertex F: 12 in the paper's form (§3.1).
-int64_t num_vertex_features(const ModelOptions& options);
+std::int64_t num_vertex_features(const ModelOptions& options);
 
 /// Number of features per point about the engine's step; 0 without it.
-int64_t num_engine_features(const ModelOptions& options);
+std::int64_t num_engine_features(const ModelOptions& options);
 
 /// How the engine's step differs from the base motion at points [B, K, *, 3] of the reference frame, by the change of
 /// velocity over the step and of the one at its end: [B, K, *, 6].

@@ -6,8 +6,9 @@
 
 namespace rigidformer {
 
-/// Nearest points by the full distance matrix, for training on a GPU and as reference. One matrix product per chunk
-/// ranks |y|^2 - 2 x.y; an indicator per object, appended to the coordinates, pushes an object's own points away.
+/// Finds nearest points by the full distance matrix, for training on a GPU and as a reference for tests. One
+/// matrix product per chunk ranks |y|^2 - 2 x.y. An indicator per object, appended to the coordinates,
+/// pushes an object's own points away.
 Nearest nearest_by_distance_matrix(const SceneBatch& batch, const Pose& current, const Tensor& points_world);
 
 }  // namespace rigidformer

@@ -16,14 +16,14 @@
 
 namespace rigidformer {
 
-/// The outcome of one step, everything the losses of §3.4 need.
+/// The outcome of one step: everything that the losses of §3.4 need.
 struct StepPrediction {
   Tensor anchors_raw;  ///< [B, K, A, 3] candidate anchors before rigid projection
   Pose pose;           ///< Projected pose of the reference cloud at t + 1
   Pose departure;      ///< Pose at t from which free motion arrives at `pose` with the velocity predicted there
 };
 
-/// The network of §3: two states and a step size in, the next rigid state out.
+/// The network of §3: it takes two states and a step size, and gives the next rigid state.
 struct RigidFormerImpl : torch::nn::Module {
   explicit RigidFormerImpl(const ModelOptions& options);
 
@@ -34,7 +34,7 @@ struct RigidFormerImpl : torch::nn::Module {
   /// without hidden_side_head. Needed once per rollout.
   Tensor hidden_side(const SceneBatch& batch, const Pose& current, const Tensor& centre_reference);
 
-  /// One step. centre_reference as returned by centre_of_mass(); `engine_step` is needed by models with engine_motion.
+  /// Predicts one step. centre_reference comes from centre_of_mass(); models with engine_motion need `engine_step`.
   StepPrediction forward(const SceneBatch& batch, const SceneState& state, const Tensor& centre_reference,
                          const NearestSearch& nearest_search, const EngineStep& engine_step = {});
 
@@ -43,7 +43,7 @@ struct RigidFormerImpl : torch::nn::Module {
   void set_compute_type(torch::ScalarType type) { compute_type = type; }
 
   ModelOptions options;
-  std::optional<double> fixed_engine_share;  ///< Instead of the learned one: 0 = network alone, 1 = engine alone
+  std::optional<double> fixed_engine_share;  ///< Replaces the learned share: 0 = network alone, 1 = engine alone
   torch::ScalarType compute_type = torch::kFloat32;
   CentreOfMassHead centre_of_mass_head{nullptr};
   HiddenSideHead hidden_side_head{nullptr};
@@ -56,8 +56,8 @@ struct RigidFormerImpl : torch::nn::Module {
  private:
   /// How the anchors [B, K, A, 3] deviate from the base motion [m].
   struct AnchorDeviation {
-    Tensor over_step;  ///< Displacement during the step
-    Tensor beyond;     ///< What a step with the velocity at its end has beyond that; undefined without that output
+    Tensor over_step;  ///< Deviation of the displacement during the step
+    Tensor beyond;     ///< What a step with the velocity at its end has beyond over_step; undefined without that output
   };
 
   Tensor predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
@@ -71,11 +71,11 @@ struct RigidFormerImpl : torch::nn::Module {
 };
 TORCH_MODULE(RigidFormer);
 
-/// The state after a step: its two poses carry the predicted velocity, or, without that output, current becomes
-/// previous. Objects whose motion is given (static, kinematic) keep the twist between their two states.
+/// The state after a step. Its two poses carry the predicted velocity; without that output, the current pose becomes
+/// the previous one. Objects whose motion is given (static, kinematic) keep the twist between their two states.
 SceneState advance(const SceneBatch& batch, const SceneState& state, const StepPrediction& prediction);
 
 /// Total number of trainable parameters.
-int64_t count_parameters(const torch::nn::Module& module);
+std::int64_t count_parameters(const torch::nn::Module& module);
 
 }  // namespace rigidformer

@@ -16,7 +16,7 @@ namespace rigidformer {
 struct SceneInput {
   SceneBatch batch;
   SceneState state;
-  Eigen::Vector3d origin_world;  ///< Where the network's origin lies in world [m]
+  Eigen::Vector3d origin_world;  ///< Position of the network's origin in world [m]
   std::vector<Points> clouds;    ///< Points the network uses, farthest-point order, reference frame
 };
 
@@ -24,12 +24,12 @@ struct SceneInput {
 void validate_options(const RolloutOptions& rollout);
 
 /// Objects must be usable (scene/objection.hpp). Points are reduced to the first `max_points` in farthest-point order
-/// and padded to a multiple of 64. Unknown material parameters are marked unknown when the model can read that,
+/// and padded to a multiple of 64. Unknown material parameters are marked unknown when the model can read that;
 /// otherwise MOVi's mean values stand in.
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                             const ModelOptions& model, int max_points);
 
-/// Poses of all objects back in world coordinates.
+/// Gives the poses of all objects in world coordinates.
 std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose);
 
 }  // namespace rigidformer

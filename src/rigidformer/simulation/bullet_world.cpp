@@ -10,9 +10,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kFloorHalfWidth = 50.0;  // [m], beyond where objects can roll in a scene
-constexpr double kFloorHalfHeight = 1.0;  // [m]
-constexpr double kImmovableMass = 1e6;    // [kg]
+constexpr double kFloorHalfWidth = 50.0;  // [m] farther than objects can roll in a scene; chosen by eye
+constexpr double kFloorHalfHeight = 1.0;  // [m] chosen by eye
+constexpr double kImmovableMass = 1e6;    // [kg] so heavy that objects of a scene cannot push it; chosen by eye
 
 btVector3 to_bullet(const Eigen::Vector3d& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
@@ -41,7 +41,7 @@ double require_known(const char* field, const std::optional<double>& value) {
   return *value;
 }
 
-/// A body with the collision shapes it owns.
+/// A body with the collision shapes that it owns.
 struct Body {
   std::vector<std::unique_ptr<btConvexHullShape>> hulls;
   std::unique_ptr<btCollisionShape> shape;

@@ -10,8 +10,8 @@ namespace rigidformer {
 /// Throws std::invalid_argument for fewer than 4 points or points in one plane.
 ConvexPart convex_hull(const Points& points);
 
-/// Points that span a volume: those of clouds thinner than 1 cm along a principal axis (one face, a line) are doubled
-/// and moved half a centimetre to each side.
+/// Gives points that span a volume: clouds thinner than 1 cm along a principal axis (one face, a line) are doubled and
+/// moved half a centimetre to each side.
 Points with_thickness(Points points);
 
 }  // namespace rigidformer

@@ -24,10 +24,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kScenesPerShard = 100;
+constexpr int kScenesPerShard = 100;  // scenes of one archive, which a stopped run can lose; chosen by eye
 constexpr char kGenerationFile[] = "generation.json";
 
-/// SHA-256 over names, masses and vertices.
+/// SHA-256 over the names, masses and vertices of the shapes.
 std::string fingerprint(const std::vector<Shape>& shapes) {
   std::string bytes;
   for (const Shape& shape : shapes) {
@@ -68,7 +68,7 @@ void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shape
   }
 }
 
-/// Shards count as finished when they read without error and hold at least the scenes asked for.
+/// Whether a shard is finished: it reads without error and holds at least the scenes asked for.
 bool is_complete_shard(const fs::path& path, int num_scenes) {
   if (!fs::exists(path)) return false;
   try {

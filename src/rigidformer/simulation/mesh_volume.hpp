@@ -8,15 +8,16 @@
 
 namespace rigidformer {
 
+/// Volume that a mesh encloses, with its centre.
 struct MeshVolume {
   double volume_m3 = 0.0;
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< Of the volume
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< Centroid of the volume
 };
 
-/// Of a closed mesh whose triangles face outwards, convex or not.
+/// Measures a closed mesh whose triangles face outwards; it need not be convex.
 MeshVolume measure_volume(const ConvexPart& mesh);
 
-/// Of all parts together; where parts overlap, twice.
+/// Measures all parts together; volume where parts overlap counts twice.
 MeshVolume measure_volume(const std::vector<ConvexPart>& parts);
 
 }  // namespace rigidformer

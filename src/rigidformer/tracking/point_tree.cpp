@@ -10,7 +10,7 @@ namespace rigidformer {
 
 namespace {
 
-constexpr int kSpacingNeighbors = 3;
+constexpr int kSpacingNeighbors = 3;  // neighbours; the spacing is the distance of the last one; chosen by eye
 
 }  // namespace
 
@@ -26,7 +26,7 @@ class PointTree::Index {
     tree_.knnSearch(point.data(), static_cast<std::size_t>(count), rows, squared_distances);
   }
 
-  // What nanoflann asks of a data set.
+  // nanoflann asks these questions of a data set.
   std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(points_.rows()); }
   float kdtree_get_pt(int row, std::size_t axis) const { return points_(row, static_cast<Eigen::Index>(axis)); }
   template <class Box>
@@ -35,7 +35,7 @@ class PointTree::Index {
   }
 
  private:
-  static constexpr std::size_t kLeafSize = 12;
+  static constexpr std::size_t kLeafSize = 12;  // points; changes the speed only; chosen by eye
   using Distance = nanoflann::L2_Simple_Adaptor<float, Index, float, int>;
 
   Points points_;

@@ -10,10 +10,10 @@
 
 namespace rigidformer {
 
-/// Nearest neighbours within one cloud, or of any point in it.
+/// Finds the nearest points of one cloud, for points of that cloud or any others.
 class PointTree {
  public:
-  /// `points` [N, 3] m, N >= 1, finite.
+  /// Copies `points` [N, 3] m, N >= 1, finite, into a search tree.
   explicit PointTree(Points points);
   ~PointTree();
   PointTree(PointTree&&) noexcept;
@@ -24,14 +24,14 @@ class PointTree {
   /// Row of the nearest point.
   int nearest(const Eigen::Vector3f& point) const;
 
-  /// Fills `rows` with those of the nearest points, nearest first, and returns how many there are (at most N).
+  /// Fills `rows` with the rows of the nearest points, nearest first, and returns how many there are (at most N).
   template <std::size_t count>
   int nearest(const Eigen::Vector3f& point, std::array<int, count>& rows) const {
     std::array<float, count> squared_distances;
     return find(point, rows.data(), squared_distances.data(), static_cast<int>(count));
   }
 
-  /// Rows of the `count` (at most N) nearest points, nearest first.
+  /// Fills `rows` with the rows of the `count` (at most N) nearest points, nearest first.
   void nearest(const Eigen::Vector3f& point, int count, std::vector<int>& rows) const;
 
  private:
@@ -41,7 +41,7 @@ class PointTree {
   std::unique_ptr<Index> index_;
 };
 
-/// Distance [m] of each point from its third nearest neighbour, or from the farthest of fewer.
+/// Distance [m] of each point from its third nearest neighbour, or from the farthest one where there are fewer.
 std::vector<double> neighbor_spacing(const PointTree& tree);
 
 }  // namespace rigidformer

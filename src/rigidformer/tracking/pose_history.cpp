@@ -8,10 +8,10 @@ namespace rigidformer {
 
 namespace {
 
-constexpr std::size_t kMaxEntries = 64;
-constexpr double kMaxSpacingRatio = 3.0;  // a parabola through unevenly spaced poses amplifies their noise
-constexpr double kTwistBaseline = 0.03;   // [s] poses closer together give noise rather than a velocity
-constexpr double kSameInstant = 1e-9;     // [s] resolution of a stamp
+constexpr std::size_t kMaxEntries = 64;   // poses of one object; chosen by eye
+constexpr double kMaxSpacingRatio = 3.0;  // ratio of frames' distances; beyond it a parabola amplifies noise; by eye
+constexpr double kTwistBaseline = 0.03;   // [s] poses closer together give noise, not a velocity; chosen by eye
+constexpr double kSameInstant = 1e-9;     // [s] derived: the resolution of a stamp
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::optional<RigidTransform> PoseHistory::pose_before(Stamp stamp, double secon
   if (entries_.size() < 2) {
     return std::nullopt;
   }
-  // The segment [i, i + 1] that holds the instant, or the first or last one to extrapolate from.
+  // The instant lies in the segment [i, i + 1], or the pose is extrapolated from the first or last segment.
   std::size_t segment = 0;
   while (segment + 2 < entries_.size() && into(segment + 1) > 0.0) {
     ++segment;

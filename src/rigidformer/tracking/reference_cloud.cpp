@@ -12,20 +12,21 @@ namespace rigidformer {
 
 namespace {
 
-constexpr double kOutlierSpacing = 3.0;  // times the median spacing: so far from its neighbours, a point is an outlier
-constexpr double kNoiseSpacing = 2.5;    // [noise] between reference points: closer ones have no common normal
-constexpr double kExtentShare = 0.95;    // of the points lie within the object's radius
-constexpr std::size_t kMaxAveraged = 8;  // points of a sample that are averaged; then it stands still and cannot drift
-constexpr double kSamePlace = 0.7;       // [voxel] from the nearest reference point: known surface
-constexpr double kReach = 2.5;           // [voxel] from it: still a continuation
-constexpr int kChain = 2;                // [voxel] between places of new surface: likewise
-constexpr int kSightings = 3;            // points at a place or next to it that make it more than stray ones
-constexpr double kCoverage = 1.0;        // points at the place itself, per point that a cloud has in a voxel of surface
-constexpr int kForgetAfter = 5;          // clouds without another sight of it
-constexpr int kFaceNeighbors = 5;        // reference points among which one of the right face is looked for
-constexpr double kRebuildShare = 0.06;   // new points per known point that are worth a rebuild
-constexpr double kCoarsening = 1.3;
-constexpr double kMaxCell = 1e9;  // stray points beyond share the outermost cells
+// Thresholds, as in the table of docs/tracking.md ("All thresholds"): h is the voxel. "By eye": chosen by eye.
+constexpr double kOutlierSpacing = 3.0;  // median spacings from its neighbours to an outlier of the first cloud; by eye
+constexpr double kNoiseSpacing = 2.5;    // [noise] spacing below which reference points share no normal; by eye
+constexpr double kExtentShare = 0.95;    // share of the points within half the object's size; by eye
+constexpr std::size_t kMaxAveraged = 8;  // points averaged into a sample, which then cannot drift; by eye
+constexpr double kSamePlace = 0.7;       // [h] from the nearest reference point: known surface; by eye
+constexpr double kReach = 2.5;           // [h] from the nearest reference point: joins the known surface; by eye
+constexpr int kChain = 2;                // [voxels] between places of new surface that belong together; by eye
+constexpr int kSightings = 3;            // points at a place and its neighbours that are no stray ones; by eye
+constexpr double kCoverage = 1.0;        // points at a place, over what a surface leaves in a voxel; derived
+constexpr int kForgetAfter = 5;          // clouds after which a place that none shows is dropped; by eye
+constexpr int kFaceNeighbors = 5;        // nearest reference points searched for one of the right face; by eye
+constexpr double kRebuildShare = 0.06;   // new over known points that are worth a rebuild; by eye, for speed
+constexpr double kCoarsening = 1.3;      // growth of h where the reference has too many points; by eye
+constexpr double kMaxCell = 1e9;  // [voxels] derived: fits 32 bits; stray points beyond share the outermost cells
 
 double quantile(std::vector<double> values, double share) {
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -74,7 +75,7 @@ ReferenceCloud::ReferenceCloud(const SurfaceCloud& cloud_object, const Correspon
   const std::vector<double> spacing = neighbor_spacing(tree_);
   const SurfaceCloud cloud = without_outliers(cloud_object, spacing);
   size_m_ = diameter(cloud.points);
-  // Finer than the clouds themselves, two clouds would seldom meet in a voxel.
+  // If voxels were finer than the clouds, two clouds would seldom meet in one.
   voxel_size_m_ =
       std::max({parameters_.voxel_size * size_m_, quantile(spacing, 0.5), kNoiseSpacing * parameters_.noise});
   for (Eigen::Index i = 0; i < cloud.points.rows(); ++i) {
@@ -110,7 +111,7 @@ void ReferenceCloud::grow(const SurfaceCloud& cloud_object) {
   for (Eigen::Index i = 0; i < cloud_object.points.rows(); ++i) {
     take_in(cloud_object.points.row(i).transpose(), cloud_object.normals.row(i).transpose());
   }
-  // In coarse voxels stray points gather too, but much fewer than those of a surface.
+  // Stray points gather in coarse voxels too, but there are far fewer of them than points of a surface.
   const double per_voxel = static_cast<double>(cloud_object.points.rows()) * std::pow(voxel_size_m_ / size_m_, 2);
   accept_candidates(kCoverage * per_voxel);
 }
@@ -167,7 +168,7 @@ std::set<ReferenceCloud::VoxelKey> ReferenceCloud::supported_candidates(double m
   return supported;
 }
 
-// From the known surface outward: a side that turns into view at once is wide.
+// The chain leads from the known surface outward, because a side that turns into view at once is wide.
 std::vector<ReferenceCloud::VoxelKey> ReferenceCloud::connected_candidates(double min_points) const {
   const std::set<VoxelKey> supported = supported_candidates(min_points);
   std::set<VoxelKey> reached;
@@ -211,7 +212,7 @@ void ReferenceCloud::rebuild() {
   while (samples_.size() > static_cast<std::size_t>(parameters_.max_reference_points)) {
     voxel_size_m_ *= kCoarsening;
     samples_ = thin(samples_);
-    candidates_.clear();  // their places were cut to the old size
+    candidates_.clear();  // they were sorted into voxels of the old size
   }
   Points points(static_cast<Eigen::Index>(samples_.size()), 3);
   for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -232,7 +233,7 @@ ReferenceCloud::VoxelKey ReferenceCloud::key_of(const Eigen::Vector3f& point) co
   return {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z())};
 }
 
-// One sample per voxel and face.
+// Keeps one sample per voxel and face.
 std::vector<ReferenceCloud::Sample> ReferenceCloud::thin(const std::vector<Sample>& samples) const {
   std::multimap<VoxelKey, Sample> voxels;
   for (const Sample& sample : samples) {

@@ -12,34 +12,35 @@ namespace rigidformer {
 
 namespace {
 
-constexpr float kParallel = 0.3F;        // cosine between a normal and the direction: the face is parallel to it
-constexpr float kAcross = 0.8F;          // likewise: the face is a side that ends it
+// Thresholds, as in the table of docs/tracking.md ("All thresholds"), all chosen by eye but the derived one.
+constexpr float kParallel = 0.3F;        // cosine between a direction and the normal of a face parallel to it, at most
+constexpr float kAcross = 0.8F;          // cosine between a direction and the normal of a face that ends it, at least
 constexpr float kSamePlane = 0.97F;      // cosine between normals of one plane, or of one strip of a bent face
-constexpr float kPlaneDistance = 0.1F;   // [size] between them along the normal: opposite sides are farther apart
-constexpr float kOnSurface = 3.0F;       // [noise] from the reference; farther points may be stray ones
-constexpr float kBeyond = 1.5F;          // [voxel] along the surface from the nearest reference point: likewise
-constexpr double kEnd = 0.005;           // share of the points that lie beyond an end: stray ones do not make it
-constexpr double kNextToEnd = 0.025;     // likewise beyond a place just inside it
-constexpr double kBlunt = 2.0;           // times as far apart as on average the points beside blunt ends are
-constexpr std::size_t kMinPoints = 100;  // fewer have no sharp ends
+constexpr float kPlaneDistance = 0.1F;   // [size] along the normal, within one plane; opposite sides are farther apart
+constexpr float kOnSurface = 3.0F;       // [noise] from the reference; derived: holds 99.7 % of Gaussian noise
+constexpr float kBeyond = 1.5F;          // [voxel] along the surface from a reference point: still known
+constexpr double kEnd = 0.005;           // share of the points beyond an end, which stray points must not make
+constexpr double kNextToEnd = 0.025;     // share of the points beyond a place just inside an end
+constexpr double kBlunt = 2.0;           // depth of an end over the extent; 1 for evenly spread points
+constexpr std::size_t kMinPoints = 100;  // points on the faces, below which their ends are not sharp
 constexpr double kKnownEnd = 0.4;        // [noise] standard deviation of the ends of the reference
-constexpr double kSameExtent = 0.5;      // [voxel] between extents of which none is cut off
+constexpr double kSameExtent = 0.5;      // [voxel] difference of two extents of which none is cut off
 
 struct Plane {
   Eigen::Vector3f point;
   Eigen::Vector3f normal;
 };
 
-/// A point's place along a direction, and how much it counts.
+/// Place of a point along a direction, and how much the point counts.
 struct Mark {
   double place;
   double weight;
 };
 
-/// Where a cloud ends along a direction.
+/// The place where a cloud ends along a direction.
 struct End {
   double place;
-  double depth;  ///< [m] by which the next points lie farther in, per share of the points
+  double depth;  ///< q: how much farther in the next points lie [m], per share of the points
 };
 
 struct Extent {
@@ -47,7 +48,7 @@ struct Extent {
   End upper;
 };
 
-// From the first mark on, until `weight` has been passed.
+// Goes from the first mark on until `weight` has been passed.
 template <class Iterator>
 double place_after(Iterator mark, Iterator last, double weight) {
   for (; std::next(mark) != last && weight >= mark->weight; ++mark) {
@@ -71,17 +72,18 @@ Extent extent_of(std::vector<Mark> marks) {
   return {end_of(marks.begin(), marks.end(), total), end_of(marks.rbegin(), marks.rend(), total)};
 }
 
-// Points that thin out, as towards the tip of a cone, do not say where they end.
+// Points that thin out, as towards the tip of a cone, make a blunt end that says little about where the cloud ends.
 bool is_sharp(const Extent& extent) {
   return 0.5 * (extent.lower.depth + extent.upper.depth) < kBlunt * (extent.upper.place - extent.lower.place);
 }
 
-// Of the mean of both ends as `num_points` show them: each is a quantile.
+// Square root of the first term of sigma_s^2: standard deviation of the mean of both ends as
+// `num_points` show them, each a quantile.
 double standard_deviation(const Extent& extent, double num_points) {
   return 0.5 * std::hypot(extent.lower.depth, extent.upper.depth) * std::sqrt(kEnd / num_points);
 }
 
-/// The faces of reference and cloud that are parallel to a direction.
+/// Faces of the reference and of the cloud that are parallel to one direction.
 class ParallelFaces {
  public:
   ParallelFaces(const ReferenceCloud& reference, const SurfaceCloud& cloud_object, const Eigen::Vector3f& direction,
@@ -109,7 +111,7 @@ class ParallelFaces {
   }
   bool is_across(const Plane& plane) const { return std::abs(plane.normal.dot(direction_)) > kAcross; }
 
-  // Whether the point lies on the reference, on a parallel face that may have this normal.
+  // Tells whether the point lies on the reference, on a parallel face that may have this normal.
   bool is_known(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const {
     const Plane known = reference_plane(reference_.nearest(point, normal));
     const Eigen::Vector3f offset = point - known.point;
@@ -125,7 +127,7 @@ class ParallelFaces {
                std::abs(plane.normal.dot(other.point - plane.point)) < plane_distance_m_;
       });
     }
-    // Close to an edge normals are poor, but a face ends at its edges.
+    // Normals are poor close to an edge, but a face ends at its edges: such points count for the face that they lie on.
     return is_across(other) ? planes_.end() : std::find_if(planes_.begin(), planes_.end(), [&](const Plane& plane) {
       return std::abs(plane.normal.dot(other.point - plane.point)) < plane_distance_m_ &&
              is_known(other.point, plane.normal);
@@ -153,7 +155,7 @@ class ParallelFaces {
     }
   }
 
-  // Every face counts as much as in the cloud, so that ends which are not square to the direction do no harm.
+  // Every face counts as much as it does in the cloud, so that ends which are not square to the direction do no harm.
   void mark_reference() {
     std::vector<std::pair<int, std::size_t>> rows;
     std::vector<int> known_counts(planes_.size(), 0);
@@ -176,8 +178,8 @@ class ParallelFaces {
   Eigen::Vector3f direction_;
   float on_surface_m_;
   float plane_distance_m_;
-  std::vector<Plane> planes_;  ///< That the cloud shows
-  std::vector<int> counts_;    ///< Of the cloud's points on them
+  std::vector<Plane> planes_;  ///< Parallel planes that the cloud shows
+  std::vector<int> counts_;    ///< Number of the cloud's points on each plane
   std::vector<Mark> cloud_marks_;
   std::vector<Mark> reference_marks_;
 };
@@ -195,7 +197,7 @@ std::optional<Slide> measure_slide(const ReferenceCloud& reference, const Surfac
   const double lower = cloud.lower.place - known.lower.place;
   const double upper = cloud.upper.place - known.upper.place;
   const double distance_m = 0.5 * (lower + upper);
-  // Of a cloud that has slid far, some points beyond the known end are not recognized.
+  // A cloud that has slid far has some points beyond the known end, which are not recognised: the ends may differ more.
   const double tolerance = std::max(kSameExtent * reference.voxel_size_m(), std::abs(distance_m));
   if (!is_sharp(known)) {
     return std::nullopt;

@@ -14,7 +14,7 @@ std::chrono::nanoseconds to_duration(double seconds) {
 
 double seconds_between(Stamp from, Stamp to) {
   const std::chrono::nanoseconds difference = to - from;
-  // Whole seconds and the rest apart: a double holds a long time and its nanoseconds only so.
+  // Whole seconds are converted apart from the rest: one double cannot hold a long time together with its nanoseconds.
   const auto whole = std::chrono::floor<std::chrono::seconds>(difference);
   return static_cast<double>(whole.count()) + 1e-9 * static_cast<double>((difference - whole).count());
 }

@@ -11,15 +11,16 @@ namespace rigidformer {
 
 namespace {
 
-constexpr int kNormalNeighbors = 9;   // the point itself included
-constexpr float kFlat = 0.1F;         // smallest / middle variance of points on a plane
-constexpr float kSpread = 0.1F;       // middle / largest variance below which they lie on a line
-constexpr float kSameFace = 0.7F;     // cosine between normals of one face
-constexpr float kOnPlane = 3.0F;      // [noise] from a neighbour's plane: a point of it
-constexpr int kBorderNeighbors = 17;  // the point itself included
-constexpr float kBorderGap = 2.1F;    // [rad] without neighbours: two thirds of what a straight border leaves free
-constexpr float kBend = 1.0F;         // [1/size] curvature towards a border beyond which the surface may go on
-constexpr float kFullTurn = 2.0F * static_cast<float>(M_PI);
+// Thresholds, as in the table of docs/tracking.md ("All thresholds"). "By eye": chosen by eye.
+constexpr int kNormalNeighbors = 9;   // points that give a normal, the point itself included; by eye
+constexpr float kFlat = 0.1F;         // smallest over middle variance of points on a plane, at most; by eye
+constexpr float kSpread = 0.1F;       // middle over largest variance below which points lie on a line; by eye
+constexpr float kSameFace = 0.7F;     // cosine between normals of one face, at least; by eye
+constexpr float kOnPlane = 3.0F;      // [noise] from the plane of a neighbour; derived: 99.7 % of Gaussian noise
+constexpr int kBorderNeighbors = 17;  // points that tell the end of a face, the point itself included; by eye
+constexpr float kBorderGap = 2.1F;    // [rad] gap without neighbours; derived: 2/3 of what a straight end leaves
+constexpr float kBend = 1.0F;         // [rad per size] bend beyond which the surface may go on out of view; by eye
+constexpr float kFullTurn = 2.0F * static_cast<float>(M_PI);  // [rad] a whole turn
 
 Eigen::Vector3f fit_normal(const Points& points, const std::vector<int>& rows) {
   Eigen::Matrix<float, kNormalNeighbors, 3> offsets;
@@ -34,7 +35,7 @@ Eigen::Vector3f fit_normal(const Points& points, const std::vector<int>& rows) {
   return is_flat ? Eigen::Vector3f(solver.eigenvectors().col(0)) : Eigen::Vector3f::Zero();
 }
 
-// The normal of the neighbour whose plane passes closest by, if that is close enough.
+// Takes the normal of the neighbour whose plane passes closest, if that is close enough.
 Eigen::Vector3f borrow_normal(const SurfaceCloud& cloud, const std::vector<int>& rows, double noise_m) {
   const Eigen::RowVector3f point = cloud.points.row(rows.front());
   Eigen::RowVector3f normal = Eigen::RowVector3f::Zero();
@@ -49,7 +50,8 @@ Eigen::Vector3f borrow_normal(const SurfaceCloud& cloud, const std::vector<int>&
   return normal.transpose();
 }
 
-// Middle of the widest gap between directions of a plane, given as angles; empty where they lie all around.
+// Sets `middle` to the middle of the widest gap between directions in a plane, given as angles [rad]; false where
+// the directions lie all around.
 bool find_gap(std::vector<float>& angles, float& middle) {
   std::sort(angles.begin(), angles.end());
   float widest = kBorderGap;
@@ -63,7 +65,7 @@ bool find_gap(std::vector<float>& angles, float& middle) {
   return widest > kBorderGap;
 }
 
-// One point of a surface and its neighbours on the same face.
+// One point of a surface with its neighbours on the same face.
 class Patch {
  public:
   Patch(const PointTree& tree, const Points& normals, Eigen::Index row) : normal_(normals.row(row).transpose()) {
@@ -79,7 +81,7 @@ class Patch {
     }
   }
 
-  // Zero = the face goes on all around.
+  // Outward direction at the end of the face; zero where the face goes on all around.
   Eigen::Vector3f outward() const {
     const Eigen::Vector3f u = normal_.unitOrthogonal();
     const Eigen::Vector3f v = normal_.cross(u);
@@ -92,7 +94,7 @@ class Patch {
                                                           : Eigen::Vector3f::Zero();
   }
 
-  // How much the normals turn on the way to the border [1/m].
+  // Bend of the surface behind the point, straight back from the end: turn of the normals per length [1/m].
   float bend(const Eigen::Vector3f& outward) const {
     float turn = 0.0F;
     float way = 0.0F;
@@ -109,7 +111,7 @@ class Patch {
  private:
   Eigen::Vector3f normal_;
   std::vector<Eigen::Vector3f> offsets_;
-  std::vector<Eigen::Vector3f> normals_;  // Signs as normal_
+  std::vector<Eigen::Vector3f> normals_;  // With the signs that agree with normal_
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "rigidformer/scene/objection.hpp"
 #include "rigidformer/tracking/cloud_registration.hpp"
 #include "rigidformer/tracking/cloud_tracker.hpp"
+#include "rigidformer/tracking/scene_instant.hpp"
 
 namespace rigidformer {
 
@@ -23,6 +24,10 @@ RegistrationQuality measure(const RigidTransform& T, const Points& reference, co
           static_cast<double>(inliers) / static_cast<double>(residuals.size())};
 }
 
+Stamp arrival_of(const ObjectObservation& observation) {
+  return observation.arrival == Stamp() ? observation.stamp : observation.arrival;
+}
+
 std::vector<int> common_rows(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> both;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
@@ -33,24 +38,21 @@ std::vector<int> common_rows(const std::vector<int>& a, const std::vector<int>& 
 
 struct TrackStore::Track {
   std::uint64_t number = 0;
-  Points points_reference;              ///< Ordered: all rows, about the centroid of the finite ones
-  std::vector<int> rows;                ///< Ordered: finite rows of the reference
-  std::optional<CloudTracker> tracker;  ///< Otherwise
-  bool frame_is_given = false;          ///< The object frame is that of given poses
+  Points points_reference;  ///< With `ordered`: all rows of the first cloud, about the centroid of the finite ones
+  std::vector<int> rows;    ///< With `ordered`: the finite rows of the reference
+  std::optional<CloudTracker> tracker;  ///< With the other ways of correspondence: follows the clouds
+  bool frame_is_given = false;          ///< The object frame is that of the given poses
   PoseHistory poses;
+  Stamp arrival;  ///< When the newest cloud came
   RegistrationQuality quality;
   bool low_quality = false;
   MotionMode mode = MotionMode::kDynamic;
   BodyProperties properties;
+
   std::optional<std::string> objection;  ///< Why it cannot be predicted, with what is known of it now
 
   bool is_static() const { return mode == MotionMode::kStatic; }
-
-  TimeRank rank() const {
-    return objection ? TimeRank::kUnusable : is_static() ? TimeRank::kStatic : TimeRank::kMoving;
-  }
-
-  Points usable_points() const { return tracker ? tracker->points_object() : select_rows(points_reference, rows); }
+  Points known_points() const { return tracker ? tracker->points_object() : select_rows(points_reference, rows); }
 };
 
 TrackStore::TrackStore(const TrackingOptions& options) : options_(options) {}
@@ -102,6 +104,7 @@ AddResult TrackStore::begin_track(const ObjectObservation& observation, const st
     track.tracker.emplace(seen, T_world_object, options_.correspondence);
   }
   track.poses.add(observation.stamp, T_world_object, options_.history.min_dt);
+  track.arrival = arrival_of(observation);
   tracks_[observation.id] = std::make_unique<Track>(std::move(track));
   return taken_in(*tracks_[observation.id], AddResult::kNewTrack);
 }
@@ -113,6 +116,7 @@ AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observ
     return begin_track(observation, seen_rows);
   }
   track.poses.add(observation.stamp, found->T_world_object, options_.history.min_dt);
+  track.arrival = arrival_of(observation);
   track.quality = found->quality;
   track.low_quality = !found->objection.empty() || found->may_have_slid;
   track.mode = observation.mode;
@@ -120,11 +124,10 @@ AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observ
   return taken_in(track, track.low_quality ? AddResult::kLowQuality : AddResult::kExtended);
 }
 
-// A growing reference cloud can turn a line into something that can be predicted, and new properties can do the
-// reverse.
+// Whether an object can be predicted changes with its growing reference cloud and with its properties.
 AddResult TrackStore::taken_in(Track& track, AddResult result) {
   ObjectState state;
-  state.points_reference = track.usable_points();
+  state.points_reference = track.known_points();
   state.T_world_previous = state.T_world_current = track.poses.newest_pose();
   state.properties = track.properties;
   track.objection = objection(state, options_.length_scale);
@@ -132,7 +135,7 @@ AddResult TrackStore::taken_in(Track& track, AddResult result) {
   return result;
 }
 
-// Empty when the cloud has other points than the reference.
+// Compares a cloud with the reference row by row; empty when the cloud has other rows than the reference.
 std::optional<CloudRegistration> TrackStore::match_rows(const Track& track, const ObjectObservation& observation,
                                                         const std::vector<int>& seen_rows) const {
   if (observation.points_world.rows() != track.points_reference.rows()) {
@@ -151,7 +154,7 @@ std::optional<CloudRegistration> TrackStore::match_rows(const Track& track, cons
   return found;
 }
 
-// Empty when the cloud cannot be the tracked object any more, or comes with another object frame.
+// Follows a cloud without order; empty when it cannot be the tracked object any more or has another object frame.
 std::optional<CloudRegistration> TrackStore::follow(Track& track, const ObjectObservation& observation,
                                                     const std::vector<int>& seen_rows) const {
   const Points points = select_rows(observation.points_world, seen_rows);
@@ -164,7 +167,8 @@ std::optional<CloudRegistration> TrackStore::follow(Track& track, const ObjectOb
     return track.tracker->stay(points, T_world_previous);
   }
   const RigidTransform T_world_predicted = track.poses.predict(observation.stamp);
-  // An impact can stop or turn a known velocity; of the second cloud any speed may be expected.
+  // An impact can stop or turn a known velocity, hence the factor 2 (chosen by eye). The
+  // second cloud may have any speed.
   const double max_jump_m = track.poses.size() > 1
                                 ? 2.0 * (T_world_predicted.translation - T_world_previous.translation).norm()
                                 : options_.history.max_speed * seconds_since(track, observation.stamp);
@@ -183,38 +187,27 @@ double TrackStore::seconds_since(const Track& track, Stamp stamp) const {
 }
 
 // Static objects may be seen only once (a latched table): they stay until clear(), unless they are of no use anyway.
+// Arrivals are compared, not stamps: a sensor whose clock is ahead must not make the objects of the others look old.
 void TrackStore::forget_unseen() {
-  const Stamp newest = newest_stamp(TimeRank::kStatic);
+  Stamp newest;
+  for (const auto& [id, track] : tracks_) {
+    newest = std::max(newest, track->arrival);
+  }
   for (auto it = tracks_.begin(); it != tracks_.end();) {
-    const bool expired = it->second->rank() != TimeRank::kStatic &&
-                         seconds_between(it->second->poses.newest_stamp(), newest) > options_.history.object_timeout;
+    const bool stays = it->second->is_static() && !it->second->objection;
+    const bool expired = !stays && seconds_between(it->second->arrival, newest) > options_.history.object_timeout;
     it = expired ? tracks_.erase(it) : std::next(it);
   }
 }
 
-// Of the tracks of the highest rank that there is, of which those above `highest` are no better.
-Stamp TrackStore::newest_stamp(TimeRank highest) const {
-  TimeRank lowest = TimeRank::kUnusable;
+// The newest clouds of the objects that move, or those of the static ones where nothing moves, or what else there is.
+std::vector<Sighting> TrackStore::sightings() const {
+  std::vector<Sighting> moving, standing, unusable;
   for (const auto& [id, track] : tracks_) {
-    lowest = std::max(lowest, std::min(highest, track->rank()));
+    std::vector<Sighting>& kind = track->objection ? unusable : track->is_static() ? standing : moving;
+    kind.push_back({id, track->poses.newest_stamp(), track->arrival});
   }
-  Stamp newest;
-  for (const auto& [id, track] : tracks_) {
-    newest = track->rank() < lowest ? newest : std::max(newest, track->poses.newest_stamp());
-  }
-  return newest;
-}
-
-// Objects arrive one after another: the scene is taken where the slowest of them is, so that none is extrapolated.
-Stamp TrackStore::common_stamp(Stamp newest) const {
-  Stamp common = newest;
-  for (const auto& [id, track] : tracks_) {
-    const Stamp stamp = track->poses.newest_stamp();
-    if (track->rank() == TimeRank::kMoving && seconds_between(stamp, newest) <= options_.sync_window_s) {
-      common = std::min(common, stamp);
-    }
-  }
-  return common;
+  return !moving.empty() ? moving : !standing.empty() ? standing : unusable;
 }
 
 ObservedScene TrackStore::snapshot(double time_step_s) const {
@@ -223,21 +216,51 @@ ObservedScene TrackStore::snapshot(double time_step_s) const {
   if (tracks_.empty()) {
     return scene;
   }
-  const Stamp newest = newest_stamp(TimeRank::kMoving);
-  scene.stamp = common_stamp(newest);
+  const std::vector<Sighting> seen = sightings();
+  const SceneInstant instant = choose_instant(seen, options_.sync_window_s);
+  scene.stamp = instant.stamp;
+  scene.clock_remark = instant.clock_remark;
+  std::size_t next = 0;
   for (const auto& [id, track] : tracks_) {
-    const double behind = seconds_between(track->poses.newest_stamp(), newest);
     if (track->objection) {
       scene.skipped.push_back({id, *track->objection, SkipCause::kUnusable});
-    } else if (!track->is_static() && behind > options_.sync_window_s) {
-      scene.skipped.push_back({id, "not seen for " + std::to_string(behind) + " s"});
-    } else if (!track->is_static() && !track->poses.pose_at(scene.stamp)) {
-      scene.skipped.push_back({id, "seen for the first time after the other objects"});
-    } else {
+    } else if (track->is_static()) {
       scene.objects.push_back(observe(id, *track, scene.stamp, time_step_s));
+    } else {
+      add_moving(scene, id, *track, instant.presence[next++]);
     }
   }
   return scene;
+}
+
+void TrackStore::add_moving(ObservedScene& scene, const std::string& id, const Track& track, Presence presence) const {
+  if (presence == Presence::kUnseen) {
+    const double unseen_s = seconds_between(track.arrival, newest_arrival());
+    scene.skipped.push_back({id, "not seen for " + std::to_string(unseen_s) + " s (input/sync_window is " +
+                                     std::to_string(options_.sync_window_s) + " s)"});
+  } else if (presence == Presence::kOwnClock) {
+    scene.objects.push_back(observe(id, track, track.poses.newest_stamp(), scene.time_step_s));
+    scene.objects.back().low_quality = true;
+  } else if (!track.poses.pose_at(scene.stamp)) {
+    scene.skipped.push_back({id, "seen for the first time after the other objects"});
+  } else {
+    scene.objects.push_back(observe(id, track, scene.stamp, scene.time_step_s));
+  }
+}
+
+Stamp TrackStore::newest_arrival() const {
+  Stamp newest;
+  for (const auto& [id, track] : tracks_) {
+    if (!track->is_static() && !track->objection) {
+      newest = std::max(newest, track->arrival);
+    }
+  }
+  return newest;
+}
+
+std::optional<Stamp> TrackStore::newest_stamp_of(const std::string& id) const {
+  const auto found = tracks_.find(id);
+  return found == tracks_.end() ? std::nullopt : std::optional(found->second->poses.newest_stamp());
 }
 
 std::optional<std::string> TrackStore::objection_to(const std::string& id) const {
@@ -257,7 +280,7 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, St
   ObservedObject object;
   object.state.id = id;
   object.state.mode = track.mode;
-  object.state.points_reference = track.usable_points();
+  object.state.points_reference = track.known_points();
   object.state.properties = track.properties;
   object.quality = track.quality;
   object.track = track.number;

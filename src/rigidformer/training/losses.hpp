@@ -4,6 +4,7 @@
 
 #include "rigidformer/model/rigidformer.hpp"
 #include "rigidformer/training/options.hpp"
+#include "rigidformer/windows/window_batch.hpp"
 
 namespace rigidformer {
 
@@ -12,18 +13,18 @@ namespace rigidformer {
 Tensor step_loss(const LossOptions& options, const SceneBatch& batch, const StepPrediction& prediction,
                  const Pose& truth);
 
-/// Smooth L1 of the velocity (m/s) that the anchors have after the step; `departure` as in WindowBatch.
+/// Smooth L1 of the velocity [m/s] that the anchors have after the step; `departure` is that of WindowBatch.
 Tensor end_velocity_loss(const LossOptions& options, const SceneBatch& batch, const StepPrediction& prediction,
                          const Pose& truth, const Pose& departure);
 
-/// Smooth L1 of the estimated centre of mass, in units of the bounding radius; the true one is the reference origin.
+/// Smooth L1 of the estimated centre of mass, in units of the bounding radius; the true centre is the reference origin.
 Tensor centre_of_mass_loss(const LossOptions& options, const SceneBatch& batch, const Tensor& centre_reference);
 
-/// Smooth L1 of how far the convex hull of seen and guessed points reaches into random directions, in units of the
-/// bounding radius, against the whole surface.
+/// Smooth L1 of how far the convex hull of seen and guessed points reaches into random directions, compared with the
+/// whole surface, in units of the bounding radius.
 Tensor hidden_side_loss(const LossOptions& options, const WindowBatch& windows, const Tensor& hidden_points);
 
-/// Mean loss over all unrolled steps; gradients flow through the rigid projection from step to step.
+/// Mean loss over all unrolled steps. Gradients flow through the rigid projection from step to step.
 Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowBatch& windows,
                    const NearestSearch& nearest_search);
 

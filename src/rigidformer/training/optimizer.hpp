@@ -11,8 +11,8 @@ namespace rigidformer {
 double learning_rate_at(const OptimizerOptions& options, double progress);
 
 /// AdamW with gradient clipping and weight averaging over one flat buffer that all parameters of a module share: a few
-/// kernels per step instead of thousands, and one tensor per quantity to save or to reduce across processes.
-/// The step follows Loshchilov & Hutter (decoupled weight decay on matrices only).
+/// kernels per step instead of thousands, and one tensor per quantity to save or to reduce across processes. The step
+/// follows Loshchilov & Hutter (decoupled weight decay on matrices only).
 class FlatAdamW {
  public:
   /// Moves the parameters of `module` into the shared buffer. The module must already be on its device.
@@ -20,17 +20,17 @@ class FlatAdamW {
 
   void zero_gradient();
 
-  /// All gradients as one tensor, for a sum over processes.
+  /// All gradients as one tensor, which several processes can sum up.
   Tensor& gradient() { return gradient_; }
 
-  /// One update with the current gradient; a non-finite gradient counts as zero. Returns the gradient norm before
-  /// clipping (a tensor, so that nothing waits for the device).
+  /// Updates the weights once with the current gradient; a non-finite gradient counts as zero. Returns the norm of the
+  /// gradient before clipping, as a tensor, so that nothing waits for the device.
   Tensor step(double learning_rate);
 
-  /// The quantities that make a resumed run continue exactly: name -> flat tensor.
+  /// The quantities with which a resumed run continues exactly: name -> flat tensor.
   std::vector<std::pair<std::string, Tensor>> state() const;
 
-  /// Exchanges the weights of the module with their running average; call twice to return.
+  /// Exchanges the weights of the module with their running average; a second call exchanges them back.
   void swap_average();
 
   std::int64_t num_steps = 0;

@@ -29,7 +29,7 @@ class ProcessGroup {
   /// Replaces the tensor by that of the first process.
   void copy_from_first(torch::Tensor& tensor) const;
 
-  /// Whether it holds in any process.
+  /// Whether `here` holds in any process.
   bool any(bool here) const;
 
  private:

@@ -15,19 +15,20 @@ struct LogEntry {
   std::int64_t iteration = 0;
   double loss = 0.0, gradient_norm = 0.0, learning_rate = 0.0;
   double windows_per_s = 0.0;
-  double share_of_peak = 0.0;  ///< Products with weights per second over what large matrix products reach
+  /// Multiply-adds per second in products with weights, over what large matrix products reach.
+  double share_of_peak = 0.0;
   int unroll_steps = 1;
 };
 
-/// Writes log.csv (appending when a run goes on), shows a progress line with ETA, and draws loss.svg with gnuplot
-/// where that is installed.
+/// Writes log.csv (appending when a run goes on), shows a progress line with the time left, and draws loss.svg with
+/// gnuplot where that is installed.
 class RunLog {
  public:
   RunLog(const std::filesystem::path& folder, std::int64_t total_iterations, bool append);
 
   void write(const LogEntry& entry);
 
-  /// A message on its own line, also kept in validation.log.
+  /// Writes a message on a line of its own, and to validation.log.
   void note(const std::string& message);
 
   void plot() const;

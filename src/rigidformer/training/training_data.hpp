@@ -10,17 +10,19 @@
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/training/options.hpp"
 #include "rigidformer/training/trainer.hpp"
+#include "rigidformer/windows/window_sampler.hpp"
 
 namespace rigidformer {
 
-/// All scenes of a run on the device that learns, ready to draw windows from.
+/// All scenes of a run, on the device that learns, ready to draw windows from.
 struct TrainingData {
   SceneTensors training;
   std::shared_ptr<const WindowSampler> sampler;
-  std::vector<std::pair<std::string, SceneTensors>> validation;                 ///< By folder name
-  std::vector<std::pair<std::string, std::vector<Window>>> validation_windows;  ///< Of the first folder, by kind
-  TrainingFacts facts;                                                          ///< Data, ranges of sizes and speeds
-  std::string summary;                                                          ///< For the terminal
+  std::vector<std::pair<std::string, SceneTensors>> validation;  ///< Scenes by name of their folder
+  /// Windows of the first folder, by kind.
+  std::vector<std::pair<std::string, std::vector<Window>>> validation_windows;
+  TrainingFacts facts;  ///< Data and ranges of sizes and speeds, for the checkpoint
+  std::string summary;  ///< Text for the terminal
 };
 
 TrainingData load_training_data(const TrainingPaths& paths, const TrainingOptions& options,

@@ -11,18 +11,19 @@
 
 namespace rigidformer {
 
-/// Rollout errors of many scenes at once, at the end of a rollout: mean over scenes of the per-scene RMSE.
+/// Errors of the last poses of many rollouts: the mean over scenes of the RMSE of each scene.
 struct RolloutScore {
   int start_frame = 0;
   double position_m = 0.0, orientation_deg = 0.0;
   double ballistic_position_m = 0.0, ballistic_orientation_deg = 0.0;
 };
 
-/// What is rolled out for validation: s = step_size frames, num_steps steps from each start frame.
+/// The rollouts for validation: num_steps steps of step_size frames from each start frame. Frames and step size are
+/// the paper's, with later starts.
 struct ValidationOptions {
   std::vector<int> start_frames = {0, 120, 240};
   int step_size = 10;
-  int num_steps = 9;     ///< Two frames are given, so frame start + 10 s = 100 is reached after nine steps
+  int num_steps = 9;     ///< Two frames are given, so that frame start + 10 s = 100 is reached after nine steps
   int num_points = 256;  ///< Surface samples per object
   int batch_size = 64;   ///< Scenes per forward pass
 };
@@ -31,7 +32,7 @@ struct ValidationOptions {
 std::vector<RolloutScore> validate_rollouts(RigidFormer& model, const SceneTensors& tensors, int max_scenes,
                                             const ValidationOptions& options);
 
-/// Mean one-step error of anchors (m) over windows, model and base motion, for one kind of window.
+/// Mean error of the anchors [m] after one step, over windows of one kind, for the model and for the base motion.
 struct OneStepScore {
   double model_m = 0.0, base_m = 0.0;
 };

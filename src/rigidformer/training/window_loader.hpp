@@ -5,13 +5,14 @@
 #include <future>
 
 #include "rigidformer/training/training_data.hpp"
+#include "rigidformer/windows/window_batch.hpp"
 
 namespace rigidformer {
 
-/// Which windows: all randomness of a batch follows from its number and the run's seed.
+/// The windows that are wanted: all randomness of a batch follows from its number and the run's seed.
 struct BatchRequest {
   std::int64_t number = 0;
-  int num_steps = 1;  ///< Unrolled
+  int num_steps = 1;  ///< Steps that are unrolled
 };
 
 /// Assembles the windows of training on a thread of its own, one batch ahead, so that the device does not wait.
@@ -20,7 +21,7 @@ class WindowLoader {
   /// `data` must outlive the loader.
   WindowLoader(const TrainingData& data, const TrainingOptions& options) : data_(data), options_(options) {}
 
-  /// The windows of `request`; those of `next` are begun.
+  /// Returns the windows of `request` and begins those of `next`.
   WindowBatch take(const BatchRequest& request, const BatchRequest& next);
 
  private:

@@ -9,23 +9,23 @@
 
 namespace rigidformer {
 
-/// A moment of one object's motion.
+/// A moment in the motion of one object.
 struct ContactEvent {
   std::int32_t scene = 0;
   std::int32_t frame = 0;
 };
 
 /// Moments of contact in all scenes by kind, found from the trajectories alone. Impacts are jumps of velocity that
-/// gravity does not explain; lasting contacts are listed every few frames.
+/// gravity does not explain. Lasting contacts are listed every few frames.
 struct ContactEvents {
   std::vector<ContactEvent>
-      mid_air;                      ///< Impact, lowest point of the object well above the floor: object against object
-  std::vector<ContactEvent> floor;  ///< Impact on the floor
-  std::vector<ContactEvent> rolling;  ///< On the floor without impact, in motion
-  std::vector<ContactEvent> resting;  ///< Does not move, wherever it lies
+      mid_air;  ///< Impact with the lowest point of the object well above the floor: object against object
+  std::vector<ContactEvent> floor;    ///< Impact on the floor
+  std::vector<ContactEvent> rolling;  ///< In motion on the floor without impact
+  std::vector<ContactEvent> resting;  ///< Without motion, wherever the object lies
 };
 
-/// `tensors` must be on the CPU.
+/// Finds all moments of contact. `tensors` must be on the CPU.
 ContactEvents find_contact_events(const SceneTensors& tensors);
 
 }  // namespace rigidformer

@@ -20,7 +20,7 @@ struct SceneTensors {
   Tensor poses;              ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass
   Tensor object_mask;        ///< [S, K] bool
   Tensor shape;              ///< [S, K] int64 into Q
-  Tensor size;               ///< [S, K]
+  Tensor size;               ///< [S, K] scale of the shape
   Tensor properties;         ///< [S, K, 3] mass, friction, restitution
   Tensor gravity;            ///< [S] vertical component [m/s^2]
   Tensor shape_points;       ///< [Q, P, M, 3] at size 1
@@ -28,12 +28,12 @@ struct SceneTensors {
   Tensor estimated_normals;  ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
   Tensor shape_point_count;  ///< [Q, P] int64
 
-  int64_t num_scenes() const { return poses.size(0); }
-  int64_t num_frames() const { return poses.size(1); }
-  int64_t max_objects() const { return poses.size(2); }
+  std::int64_t num_scenes() const { return poses.size(0); }
+  std::int64_t num_frames() const { return poses.size(1); }
+  std::int64_t max_objects() const { return poses.size(2); }
 
   /// Number of objects of every scene.
-  std::vector<int64_t> object_counts() const;
+  std::vector<std::int64_t> object_counts() const;
 
   SceneTensors to(const torch::Device& device) const;
 };

@@ -9,20 +9,20 @@ namespace rigidformer {
 /// Random tensors from a generator of its own, so that threads do not share one, or from torch's default generators.
 class TensorRandom {
  public:
-  /// torch's default generators.
+  /// Uses torch's default generators.
   TensorRandom() = default;
 
-  /// A generator on `device`.
+  /// Makes a generator on `device`.
   TensorRandom(const torch::Device& device, std::uint64_t seed);
 
-  /// In [0, 1), of the type and on the device of `like`.
+  /// Draws numbers uniformly from [0, 1), of the type and on the device of `like`.
   torch::Tensor uniform(at::IntArrayRef sizes, const torch::TensorOptions& like) const {
     return torch::rand(sizes, generator_, like);
   }
   torch::Tensor normal(at::IntArrayRef sizes, const torch::TensorOptions& like) const {
     return torch::randn(sizes, generator_, like);
   }
-  /// Integers in [low, high).
+  /// Draws integers uniformly from [low, high).
   torch::Tensor integer(std::int64_t low, std::int64_t high, at::IntArrayRef sizes,
                         const torch::TensorOptions& like) const {
     return torch::randint(low, high, sizes, generator_, like);

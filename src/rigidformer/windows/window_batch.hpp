@@ -17,10 +17,11 @@ namespace rigidformer {
 /// mass is the origin of the reference frame.
 struct WindowBatch {
   SceneBatch scene;
-  std::vector<Pose> poses;       ///< 2 + num_steps poses; the first two are given
-  std::vector<Pose> departures;  ///< Per step: from where free motion arrives at its end with the true velocity there
-  Tensor whole_surface;          ///< [B, K, M, 3] m, without noise and with the sides that nobody sees
-  Tensor whole_mask;             ///< [B, K, M] bool
+  std::vector<Pose> poses;  ///< 2 + num_steps poses; the first two are given
+  /// [step] poses from which free motion arrives at the step's end with the true velocity there.
+  std::vector<Pose> departures;
+  Tensor whole_surface;  ///< [B, K, M, 3] m, without noise and with the sides that nobody sees
+  Tensor whole_mask;     ///< [B, K, M] bool
 };
 
 /// Assembles windows on the device of `tensors`; a generator of `random` must live there too.

@@ -18,18 +18,18 @@ struct Window {
   int step_size = 1;
 };
 
-/// Draws windows of 2 + num_steps frames; around a contact, the event lies in the predicted part.
+/// Draws windows of 2 + num_steps frames. Around a contact, the event lies in the predicted part.
 class WindowSampler {
  public:
   /// Throws std::invalid_argument naming the option at fault, or when scenes are too short.
-  WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<int64_t> object_counts,
-                int64_t num_frames);
+  WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<std::int64_t> object_counts,
+                std::int64_t num_frames);
 
   Window draw(int num_steps, std::mt19937_64& random) const;
 
-  /// The windows of one training iteration. Iterations come in groups whose windows are sorted by their number of
-  /// objects before they are dealt out, so that a batch carries little padding. The same seed and iteration give the
-  /// same windows.
+  /// Draws the windows of one training iteration. Iterations come in groups whose windows are sorted by their
+  /// number of objects before they are dealt out, so that a batch carries little padding. The same seed and
+  /// iteration give the same windows.
   std::vector<Window> draw_batch(int batch_size, int num_steps, std::uint64_t seed, std::int64_t iteration) const;
 
  private:
@@ -38,7 +38,7 @@ class WindowSampler {
 
   WindowOptions options_;
   ContactEvents events_;
-  std::vector<int64_t> object_counts_;  ///< Per scene
+  std::vector<std::int64_t> object_counts_;  ///< Number of objects of every scene
   int num_scenes_, num_frames_;
 };
 

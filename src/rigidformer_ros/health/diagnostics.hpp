@@ -33,7 +33,7 @@ class NodeDiagnostics {
     const SharedValue<ForecastQuality>& quality;
   };
 
-  /// Publishes every `diagnostics.period` of wall time, on the callback queue of `node`.
+  /// Publishes every `diagnostics/period` seconds of wall time, on the callback queue of `node`.
   NodeDiagnostics(ros::NodeHandle& node, const ros::NodeHandle& private_node, const DiagnosticsParameters& parameters,
                   const Sources& sources);
 

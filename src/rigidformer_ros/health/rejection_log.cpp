@@ -4,11 +4,12 @@
 
 namespace rigidformer_ros {
 
-void RejectionLog::add(const std::string& reason, const std::string& detail) {
+void RejectionLog::count(const std::string& reason, const std::string& detail, bool was_rejected) {
   const std::lock_guard<std::mutex> lock(mutex_);
   Count& count = counts_[reason];
   ++count.total;
   count.detail = detail;
+  count.was_rejected = was_rejected;
 }
 
 std::vector<std::string> RejectionLog::take_report() {
@@ -16,8 +17,9 @@ std::vector<std::string> RejectionLog::take_report() {
   std::vector<std::string> lines;
   for (auto& [reason, count] : counts_) {
     if (count.total > count.reported) {
-      lines.push_back(reason + ": " + std::to_string(count.total - count.reported) + " (in all " +
-                      std::to_string(count.total) + "); last: " + count.detail);
+      lines.push_back((count.was_rejected ? "Rejected, " : "Noticed, ") + reason + ": " +
+                      std::to_string(count.total - count.reported) + " (in all " + std::to_string(count.total) +
+                      "); last: " + count.detail);
       count.reported = count.total;
     }
   }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "rigidformer/tracking/track_store.hpp"
@@ -31,6 +32,9 @@ class LiveScene {
   /// Gives an observation to the tracks. If they refuse it, a rejection is counted.
   void add(const ObjectObservation& observation);
 
+  /// Whether a cloud has come within the last `timeout_s`, however old it was then.
+  bool is_fed(rigidformer::Stamp now, double timeout_s) const;
+
   /// Forgets everything when the clock has jumped back since the last call.
   void watch_clock(const ros::Time& now);
 
@@ -47,12 +51,18 @@ class LiveScene {
   std::uint64_t epoch() const;
 
  private:
-  void count(const std::string& id, rigidformer::AddResult result);
+  /// Whether the cloud was dropped.
+  bool count_dropped(const std::string& id, rigidformer::AddResult result);
+  void count_taken(const ObjectObservation& observation, rigidformer::AddResult result,
+                   std::optional<rigidformer::Stamp> before);
+  std::string describe_gap(const ObjectObservation& observation, rigidformer::Stamp before) const;
 
   RejectionLog& rejections_;
   mutable std::mutex mutex_;
   StampGate gate_;
   rigidformer::TrackStore tracks_;
+  double max_dt_s_;
+  rigidformer::Stamp newest_arrival_;
   std::uint64_t epoch_ = 0;
 };
 

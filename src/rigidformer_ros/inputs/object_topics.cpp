@@ -66,20 +66,38 @@ void ObjectTopics::subscribe(const ListedObject& source) {
   ROS_INFO_STREAM("Object '" << resolved.id << "' is read from " << resolved.topic);
 }
 
+// A topic that nobody publishes any more is forgotten, unless it is listed: its object may come back under another. An
+// empty list says that the master is away.
+void ObjectTopics::forget_silent(const std::set<std::string>& published) {
+  for (auto it = discovered_.begin(); it != discovered_.end();) {
+    if (published.empty() || published.count(it->first) > 0) {
+      ++it;
+      continue;
+    }
+    subscribers_.erase(it->first);
+    ids_.erase(it->second);
+    it = discovered_.erase(it);
+  }
+}
+
 void ObjectTopics::discover() {
+  std::set<std::string> published;
   for (const ros::master::TopicInfo& topic : published_topics()) {
+    published.insert(topic.name);
     const auto id = match_topic(pattern_, topic.name);
     if (id && topic.datatype == "sensor_msgs/PointCloud2" && ids_.count(*id) == 0 &&
         subscribers_.count(topic.name) == 0) {
       subscribe({*id, topic.name, rigidformer::MotionMode::kDynamic, {}});
+      discovered_[topic.name] = *id;
     }
   }
+  forget_silent(published);
 }
 
 std::string ObjectTopics::describe() const {
   std::string text;
   for (const auto& [topic, subscriber] : subscribers_) {
-    text += (text.empty() ? "" : ", ") + topic;
+    text += (text.empty() ? "" : ", ") + topic + (subscriber.getNumPublishers() > 0 ? "" : " (nobody publishes it)");
   }
   if (!pattern_.empty()) {
     text += (text.empty() ? "" : ", ") + ("topics that match " + pattern_);

@@ -32,12 +32,14 @@ class ObjectTopics {
  private:
   void subscribe(const ListedObject& source);
   void discover();
+  void forget_silent(const std::set<std::string>& published);
 
   ros::NodeHandle node_;
   InputParameters input_;
   std::string pattern_;  ///< The resolved pattern; empty = no search for new topics
   Handler handler_;
   std::map<std::string, ros::Subscriber> subscribers_;  ///< Subscriptions by resolved topic
+  std::map<std::string, std::string> discovered_;       ///< Topics found while running, with the id of the object
   std::set<std::string> ids_;                           ///< Objects with a topic; no second topic is taken for them
   ros::WallTimer discovery_timer_;
 };

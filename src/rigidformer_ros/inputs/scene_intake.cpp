@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "rigidformer_ros/inputs/frame_transformer.hpp"
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
+#include "rigidformer_ros/messages/invalid_points.hpp"
 #include "rigidformer_ros/messages/labelled_cloud.hpp"
+#include "rigidformer_ros/messages/near_origin.hpp"
 #include "rigidformer_ros/messages/object_clouds.hpp"
 
 namespace rigidformer_ros {
@@ -18,13 +21,6 @@ namespace rigidformer_ros {
 namespace {
 
 using rigidformer::MotionMode;
-
-void check_count(const Points& points, int max_points) {
-  if (points.rows() > max_points) {
-    throw std::invalid_argument("has " + std::to_string(points.rows()) + " points, accepted are at most " +
-                                std::to_string(max_points));
-  }
-}
 
 }  // namespace
 
@@ -64,7 +60,7 @@ void SceneIntake::take_object(const ListedObject& source, const sensor_msgs::Poi
 ObjectObservation SceneIntake::to_observation(const ListedObject& source, const sensor_msgs::PointCloud2& cloud,
                                               const ros::WallTime& deadline) {
   const StageTimer timer(sinks_.timing, Stage::kPreprocess);
-  const Points points = read_points(cloud, static_cast<std::uint64_t>(parameters_.input.max_points));
+  const Points points = read_measured(source.topic, cloud, max_points_per_object(parameters_.input));
   ObjectObservation observation;
   observation.id = source.id;
   observation.stamp = to_stamp(cloud.header.stamp);
@@ -72,6 +68,24 @@ ObjectObservation SceneIntake::to_observation(const ListedObject& source, const 
   observation.mode = source.mode;
   observation.properties = resolve_properties(parameters_.properties, source.id, source.properties);
   return observation;
+}
+
+// What the sensor measured: points that are none become NaN, and are counted.
+Points SceneIntake::read_measured(const std::string& topic, const sensor_msgs::PointCloud2& cloud,
+                                  const PointLimit& limit) {
+  Points points = read_points(cloud, limit);
+  if (parameters_.input.drop_invalid_points) {
+    const bool simulated = parameters_.correspondence.method == rigidformer::Correspondence::kOrdered;
+    const std::size_t num_masked =
+        mask_invalid_points(points, simulated ? InvalidPoints::kAtOrigin : InvalidPoints::kAlsoRepeated);
+    if (num_masked > 0) {
+      sinks_.rejections.note("points that are none",
+                             topic + ": " + std::to_string(num_masked) + " of " + std::to_string(points.rows()) +
+                                 " points at 0 0 0 of the sensor or at one value that many share (" +
+                                 "input/drop_invalid_points)");
+    }
+  }
+  return points;
 }
 
 void SceneIntake::take_labelled(const std::string& topic, const sensor_msgs::PointCloud2& cloud) {
@@ -85,13 +99,15 @@ void SceneIntake::read_labelled(const std::string& topic, const sensor_msgs::Poi
   }
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.tf_timeout);
   const double start_s = steady_seconds();
-  const auto parts = split_by_label(cloud, static_cast<std::uint64_t>(parameters_.input.max_cloud_points));
+  const Points points = read_measured(topic, cloud, max_points_per_cloud(parameters_.input));
+  const auto parts =
+      split_by_label(cloud, points, {parameters_.input.label_field, parameters_.input.background_labels});
   const RigidTransform T_fixed_cloud = look_up(cloud.header.frame_id, cloud.header.stamp, deadline);
   sinks_.timing.add(Stage::kPreprocess, steady_seconds() - start_s);
   for (const LabelPoints& part : parts) {
     const NamedLabel object = meaning_of(part.label);
     guard(topic + " object '" + object.id + "'", [&] {
-      check_count(part.points, parameters_.input.max_points);
+      require_few(part.points, max_points_per_object(parameters_.input));
       ObjectObservation observation;
       observation.id = object.id;
       observation.stamp = to_stamp(cloud.header.stamp);
@@ -132,15 +148,28 @@ void SceneIntake::read_scene(const std::string& topic, const ObjectClouds& cloud
       if (clouds.ids[i].empty() || !ids.insert(clouds.ids[i]).second) {
         throw std::invalid_argument("ids: is empty or occurs twice");
       }
-      ObjectObservation observation =
-          read_object(clouds, i, static_cast<std::uint64_t>(parameters_.input.max_points), T_fixed_cloud);
+      ObjectObservation observation = read_object(clouds, i, max_points_per_object(parameters_.input), T_fixed_cloud);
       resolve_properties(parameters_.properties, observation);
       add(std::move(observation), deadline);
     });
   }
 }
 
+void SceneIntake::note_delay(const ObjectObservation& observation) {
+  const double age_s = rigidformer::seconds_between(observation.stamp, observation.arrival);
+  if (age_s > parameters_.service.max_state_age) {
+    std::ostringstream text;
+    text << "'" << observation.id << "': " << age_s << " s old on arrival; predict_rollout answers STALE_STATE beyond "
+         << "service/max_state_age = " << parameters_.service.max_state_age
+         << " s, and clouds older than max_stamp_skew = " << parameters_.max_stamp_skew << " s are rejected";
+    sinks_.rejections.note("late clouds", text.str());
+  }
+}
+
 void SceneIntake::add(ObjectObservation observation, const ros::WallTime& deadline) {
+  require_near_origin(observation.points_world, parameters_.fixed_frame);
+  observation.arrival = to_stamp(ros::Time::now());
+  note_delay(observation);
   const std::string& prefix = parameters_.input.pose_frame_prefix;
   if (!prefix.empty() && !observation.T_world_object && observation.mode == MotionMode::kStatic) {
     // A static object needs no tracker: the fixed frame can always be its frame.

@@ -14,6 +14,7 @@
 #include "rigidformer_ros/health/rejection_log.hpp"
 #include "rigidformer_ros/health/timing_monitor.hpp"
 #include "rigidformer_ros/inputs/live_scene.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 #include "rigidformer_ros/parameters/parameters.hpp"
 
 namespace rigidformer_ros {
@@ -51,6 +52,8 @@ class SceneIntake {
   void take_scene(const std::string& topic, const ObjectClouds& clouds);
 
  private:
+  Points read_measured(const std::string& topic, const sensor_msgs::PointCloud2& cloud, const PointLimit& limit);
+  void note_delay(const ObjectObservation& observation);
   void guard(const std::string& source, const std::function<void()>& work);
   ObjectObservation to_observation(const ListedObject& source, const sensor_msgs::PointCloud2& cloud,
                                    const ros::WallTime& deadline);

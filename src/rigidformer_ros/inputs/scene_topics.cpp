@@ -36,7 +36,8 @@ SceneTopics::SceneTopics(ros::NodeHandle& node, const InputParameters& input, Ha
 std::string SceneTopics::describe() const {
   std::string text;
   for (const ros::Subscriber& subscriber : subscribers_) {
-    text += (text.empty() ? "" : ", ") + subscriber.getTopic();
+    text += (text.empty() ? "" : ", ") + subscriber.getTopic() +
+            (subscriber.getNumPublishers() > 0 ? "" : " (nobody publishes it)");
   }
   return text;
 }

@@ -7,6 +7,38 @@
 
 namespace rigidformer_ros {
 
+namespace {
+
+// [s] 2001. Smaller stamps count from the start of a device, a simulation or a bag.
+constexpr double kFirstWallClock = 1e9;
+// [s] Clocks that nobody sets differ by less, recordings by more. Chosen by eye.
+constexpr double kLargestDrift = 3600.0;
+
+const char* likely_cause_under_simulated_time(double ahead_s) {
+  if (ahead_s > kLargestDrift) {
+    return "wall-clock stamps under simulated time";
+  }
+  return ahead_s > 0.0 ? "a leftover from before a clock restart" : "old data; rosbag play needs --clock";
+}
+
+// Tells what to look at first. The difference alone cannot tell a recording from a wrong clock, but its size mostly
+// can.
+const char* likely_cause(const ros::Time& stamp, const ros::Time& now) {
+  const double ahead_s = (stamp - now).toSec();
+  if (now.toSec() < kFirstWallClock) {
+    return likely_cause_under_simulated_time(ahead_s);
+  }
+  if (stamp.toSec() < kFirstWallClock) {
+    return "the sensor stamps by a clock of its own, which counts from its start; its driver must stamp by ROS time";
+  }
+  if (ahead_s > -kLargestDrift) {
+    return "the clocks of sensor and node differ, or the cloud took that long to come";
+  }
+  return "recorded data need use_sim_time and rosbag play --clock; otherwise the sensor's clock is not set";
+}
+
+}  // namespace
+
 bool StampGate::clock_restarted(const ros::Time& now) {
   const bool restarted = (now - last_now_).toSec() < -jump_threshold_s_;
   has_restarted_ = has_restarted_ || restarted;
@@ -26,11 +58,11 @@ std::optional<std::string> StampGate::objection(const ros::Time& stamp, const ro
   if (ahead <= future_limit && ahead >= -max_stamp_skew_s_) {
     return std::nullopt;
   }
-  char text[200];
-  std::snprintf(text, sizeof(text), "stamp %.3f s lies %.3f s %s the clock %.3f s (%s)", stamp.toSec(),
+  char text[300];
+  std::snprintf(text, sizeof(text), "stamp %.3f s lies %.3f s %s the clock %.3f s, %s is %.3g s: %s", stamp.toSec(),
                 ahead > 0 ? ahead : -ahead, ahead > 0 ? "ahead of" : "behind", now.toSec(),
-                ahead > 0 ? "wall-clock stamps under simulated time, or a leftover from before a clock restart"
-                          : "old data: playing a bag needs use_sim_time and --clock");
+                future_limit < max_stamp_skew_s_ && ahead > 0 ? "history/jump_threshold" : "max_stamp_skew",
+                ahead > 0 ? future_limit : max_stamp_skew_s_, likely_cause(stamp, now));
   return std::string(text);
 }
 

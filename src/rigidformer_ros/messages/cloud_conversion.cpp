@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "rigidformer/geometry/point_rows.hpp"
+
 namespace rigidformer_ros {
 
 namespace {
@@ -15,8 +17,7 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-// [m]. Beyond this, single precision no longer resolves centimetres.
-constexpr double kLargestCoordinate = 1e6;
+constexpr double kLargestCoordinate = 1e8;  // [m] no place on Earth has a larger one in any frame
 
 // Where the coordinates lie in the data. The sizes [bytes] are held in 64 bits so that products of them fit.
 struct Layout {
@@ -61,14 +62,10 @@ void read_field_layout(const PointCloud2& cloud, Layout& layout) {
   layout.double_precision = datatype == PointField::FLOAT64;
 }
 
-// Products of two sizes cannot overflow: each factor is below 2^32, and they are multiplied in 64 bits.
-Layout read_layout(const PointCloud2& cloud, std::uint64_t max_points) {
+// All products are taken in 64 bits: each factor is below 2^32.
+Layout read_layout(const PointCloud2& cloud) {
   Layout layout{cloud.width, cloud.height, cloud.point_step, cloud.row_step, {0, 0, 0}, false};
   const std::uint64_t count = layout.width * layout.height;
-  if (count > max_points) {
-    throw std::invalid_argument("width x height: " + std::to_string(count) + " points, accepted are at most " +
-                                std::to_string(max_points));
-  }
   if (count == 0) {
     return {};  // A layout without rows: a message may claim four billion empty rows, which would keep the reader busy.
   }
@@ -76,6 +73,10 @@ Layout read_layout(const PointCloud2& cloud, std::uint64_t max_points) {
     throw std::invalid_argument("is_bigendian: big-endian data is not supported");
   }
   read_field_layout(cloud, layout);
+  if (count > cloud.data.size() / layout.point_step) {
+    throw std::invalid_argument("width x height: " + std::to_string(count) + " points do not fit into " +
+                                std::to_string(cloud.data.size()) + " bytes of data");
+  }
   const std::uint64_t packed_row = layout.width * layout.point_step;
   if (layout.row_step == 0 && cloud.data.size() == packed_row * layout.height) {
     layout.row_step = packed_row;  // Some drivers leave row_step at 0 when the data is packed.
@@ -148,9 +149,19 @@ PointCloud2 make_cloud(std::size_t count, bool labelled) {
 
 }  // namespace
 
-Points read_points(const PointCloud2& cloud, std::uint64_t max_points) {
-  const Layout layout = read_layout(cloud, max_points);
-  return layout.double_precision ? read_rows<double>(cloud, layout) : read_rows<float>(cloud, layout);
+Points read_points(const PointCloud2& cloud, const PointLimit& limit) {
+  const Layout layout = read_layout(cloud);
+  Points points = layout.double_precision ? read_rows<double>(cloud, layout) : read_rows<float>(cloud, layout);
+  require_few(points, limit);
+  return points;
+}
+
+void require_few(const Points& points, const PointLimit& limit) {
+  const std::size_t num_finite = rigidformer::finite_rows(points).size();
+  if (num_finite > limit.points) {
+    throw std::invalid_argument("has " + std::to_string(num_finite) + " finite points, " + limit.name +
+                                " accepts at most " + std::to_string(limit.points));
+  }
 }
 
 PointCloud2 to_cloud(const Points& points) {

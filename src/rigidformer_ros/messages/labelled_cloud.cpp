@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -36,15 +37,20 @@ std::uint64_t size_of(std::uint8_t datatype) {
   }
 }
 
-const PointField& find_label_field(const PointCloud2& cloud) {
-  for (const char* name : {"label", "instance"}) {
+// A segmentation that publishes both fields writes the class into `label` and the number of the object into `instance`.
+const PointField& find_label_field(const PointCloud2& cloud, const std::string& wanted) {
+  const std::vector<std::string> names =
+      wanted.empty() ? std::vector<std::string>{"instance", "label"} : std::vector<std::string>{wanted};
+  for (const std::string& name : names) {
     const auto found = std::find_if(cloud.fields.begin(), cloud.fields.end(),
-                                    [name](const PointField& field) { return field.name == name; });
+                                    [&](const PointField& field) { return field.name == name; });
     if (found != cloud.fields.end()) {
       return *found;
     }
   }
-  throw std::invalid_argument("fields: no field 'label' or 'instance'");
+  throw std::invalid_argument(wanted.empty()
+                                  ? "fields: no field 'instance' or 'label' (input/label_field names another)"
+                                  : "fields: no field '" + wanted + "' (input/label_field)");
 }
 
 void check(const PointField& field, std::uint32_t point_step) {
@@ -63,13 +69,23 @@ void check(const PointField& field, std::uint32_t point_step) {
 }
 
 template <typename Integer>
-std::uint32_t read_integer(const std::uint8_t* bytes) {
+std::int64_t read_integer(const std::uint8_t* bytes) {
   Integer value;
   std::memcpy(&value, bytes, sizeof(value));
-  return value > 0 ? static_cast<std::uint32_t>(value) : 0;
+  return value;
 }
 
-std::uint32_t read_label(const std::uint8_t* bytes, std::uint8_t datatype) {
+// The labels of no object in a field of this type. Segmenters write -1 into unsigned fields as well, for "no segment":
+// there it is 255, 65535 or 4294967295.
+std::set<std::int64_t> background_of(const std::vector<int>& labels, std::uint8_t datatype) {
+  std::set<std::int64_t> background(labels.begin(), labels.end());
+  if (background.count(-1) > 0) {
+    background.insert((std::int64_t{1} << (8 * size_of(datatype))) - 1);
+  }
+  return background;
+}
+
+std::int64_t read_label(const std::uint8_t* bytes, std::uint8_t datatype) {
   switch (datatype) {
     case PointField::INT8:
       return read_integer<std::int8_t>(bytes);
@@ -87,7 +103,8 @@ std::uint32_t read_label(const std::uint8_t* bytes, std::uint8_t datatype) {
 }
 
 // Lists the row numbers of the points of each label. The caller must have checked the layout of the cloud.
-std::map<std::uint32_t, std::vector<int>> rows_by_label(const PointCloud2& cloud, const PointField& field) {
+std::map<std::uint32_t, std::vector<int>> rows_by_label(const PointCloud2& cloud, const PointField& field,
+                                                        const std::set<std::int64_t>& background) {
   const std::uint64_t point_step = cloud.point_step;
   const std::uint64_t row_step = cloud.row_step > 0 ? cloud.row_step : cloud.width * point_step;
   std::map<std::uint32_t, std::vector<int>> rows;
@@ -95,11 +112,11 @@ std::map<std::uint32_t, std::vector<int>> rows_by_label(const PointCloud2& cloud
   for (std::uint64_t row = 0; row < cloud.height; ++row) {
     for (std::uint64_t column = 0; column < cloud.width; ++column, ++index) {
       const std::uint8_t* point = cloud.data.data() + row * row_step + column * point_step;
-      const std::uint32_t label = read_label(point + field.offset, field.datatype);
-      if (label == 0) {
+      const std::int64_t label = read_label(point + field.offset, field.datatype);
+      if (label < 0 || background.count(label) > 0) {
         continue;
       }
-      rows[label].push_back(index);
+      rows[static_cast<std::uint32_t>(label)].push_back(index);
       if (rows.size() > kMostLabels) {
         throw std::invalid_argument("fields['" + field.name + "']: more than " + std::to_string(kMostLabels) +
                                     " different labels");
@@ -111,15 +128,15 @@ std::map<std::uint32_t, std::vector<int>> rows_by_label(const PointCloud2& cloud
 
 }  // namespace
 
-std::vector<LabelPoints> split_by_label(const PointCloud2& cloud, std::uint64_t max_points) {
-  const Points points = read_points(cloud, max_points);
+std::vector<LabelPoints> split_by_label(const PointCloud2& cloud, const Points& points, const LabelOptions& options) {
   if (points.rows() == 0) {
     return {};
   }
-  const PointField& field = find_label_field(cloud);
+  const PointField& field = find_label_field(cloud, options.field);
   check(field, cloud.point_step);
   std::vector<LabelPoints> parts;
-  for (const auto& [label, rows] : rows_by_label(cloud, field)) {
+  for (const auto& [label, rows] :
+       rows_by_label(cloud, field, background_of(options.background_labels, field.datatype))) {
     parts.push_back({label, rigidformer::select_rows(points, rows)});
   }
   return parts;

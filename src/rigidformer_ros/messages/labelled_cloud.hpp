@@ -5,6 +5,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
@@ -17,10 +18,16 @@ struct LabelPoints {
   Points points;            ///< Positions [N, 3] m
 };
 
-/// Splits a cloud by its integer field `label` or, if there is none, by its field `instance`. The field may have 8, 16
-/// or 32 bits, with or without a sign. The parts are in the order of the labels. Labels of 0 and less mean background,
-/// whose points are left out. Throws std::invalid_argument as read_points() does, and also when neither field exists,
-/// when the field has no usable type, or when it has more than 256 different labels; the message names the field.
-std::vector<LabelPoints> split_by_label(const sensor_msgs::PointCloud2& cloud, std::uint64_t max_points);
+/// How a cloud says which object a point belongs to.
+struct LabelOptions {
+  std::string field;                             ///< Name of the field; "" = `instance`, without it `label`
+  std::vector<int> background_labels = {-1, 0};  ///< Of no object; -1 = all bits set, as in 255 of an 8-bit field
+};
+
+/// Splits a cloud by an integer field of 8, 16 or 32 bits, signed or not, in the order of the labels. Background and
+/// negative labels are left out. `points` are those of read_points(). Throws std::invalid_argument naming the field
+/// when there is none of a usable type or more than 256 labels.
+std::vector<LabelPoints> split_by_label(const sensor_msgs::PointCloud2& cloud, const Points& points,
+                                        const LabelOptions& options = {});
 
 }  // namespace rigidformer_ros

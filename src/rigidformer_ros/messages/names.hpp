@@ -7,12 +7,14 @@
 /// Topic and service names, relative to the node's namespace.
 namespace rigidformer_ros::names {
 
+// The topics that the node publishes.
 inline constexpr char kForecast[] = "forecast";
 inline constexpr char kForecastCloud[] = "forecast_cloud";
 inline constexpr char kPredictedPoses[] = "predicted_poses";
 inline constexpr char kMarkers[] = "markers";
 inline constexpr char kForecastError[] = "forecast_error";
 
+// The services that the node offers.
 inline constexpr char kPredictRollout[] = "predict_rollout";
 inline constexpr char kGetModelInfo[] = "get_model_info";
 inline constexpr char kReset[] = "reset";

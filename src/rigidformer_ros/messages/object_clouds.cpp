@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "rigidformer_ros/messages/cloud_conversion.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 
 namespace rigidformer_ros {
@@ -37,12 +36,12 @@ void check_lengths(const ObjectClouds& clouds, const std::string& field) {
   require_length(field, "properties", clouds.properties.size(), count, true);
 }
 
-rigidformer::ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, std::uint64_t max_points,
+rigidformer::ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, const PointLimit& limit,
                                            const rigidformer::RigidTransform& T_fixed_cloud) {
   rigidformer::ObjectObservation object;
   object.id = clouds.ids[i];
   object.stamp = to_stamp(clouds.header.stamp);
-  object.points_world = T_fixed_cloud.apply(read_points(clouds.clouds[i], max_points));
+  object.points_world = T_fixed_cloud.apply(read_points(clouds.clouds[i], limit));
   if (!clouds.modes.empty()) {
     object.mode = to_motion_mode(clouds.modes[i]);
   }

@@ -5,10 +5,10 @@
 #include <rigidformer_ros/ObjectClouds.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include "rigidformer/tracking/observation.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 
 namespace rigidformer_ros {
 
@@ -21,8 +21,8 @@ void check_lengths(const ObjectClouds& clouds, const std::string& field);
 
 /// Reads object `i` of a message that check_lengths() accepts, and moves it into the fixed frame. The object has the
 /// properties that the message gives and no others. Throws std::invalid_argument naming what is at fault, also for more
-/// than `max_points` points.
-rigidformer::ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, std::uint64_t max_points,
+/// finite points than `limit`.
+rigidformer::ObjectObservation read_object(const ObjectClouds& clouds, std::size_t i, const PointLimit& limit,
                                            const rigidformer::RigidTransform& T_fixed_cloud);
 
 }  // namespace rigidformer_ros

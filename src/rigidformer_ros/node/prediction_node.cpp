@@ -144,7 +144,7 @@ void PredictionNode::Parts::report_what_is_missing() {
                                                     << scenes);
   }
   for (const std::string& line : rejections.take_report()) {
-    ROS_WARN_STREAM("Rejected, " << line);
+    ROS_WARN_STREAM(line);
   }
 }
 

@@ -122,6 +122,9 @@ void ForecastLoop::forecast_newest_scene() {
   const std::size_t num_known = scene.skipped.size();
   scene = context_.forecaster.usable_part(std::move(scene));
   context_.input.scene_seen(scene.objects.size(), scene.skipped.size());
+  if (!scene.clock_remark.empty()) {
+    context_.rejections.note("clocks that differ", scene.clock_remark);
+  }
   if (!is_new(scene)) {
     return;
   }
@@ -135,9 +138,8 @@ void ForecastLoop::forecast_newest_scene() {
 
 // Whether it has not been dealt with yet; what an outdated one left behind is removed.
 bool ForecastLoop::is_new(const ObservedScene& scene) {
-  const bool outdated =
-      rigidformer::seconds_between(scene.stamp, to_stamp(ros::Time::now())) > parameters_.history.object_timeout;
-  if (outdated) {
+  // What matters is whether clouds still come: a slow segmentation delivers them late, but steadily.
+  if (!context_.live_scene.is_fed(to_stamp(ros::Time::now()), parameters_.history.object_timeout)) {
     publisher_.clear();
     last_size_ = 0;
     return false;

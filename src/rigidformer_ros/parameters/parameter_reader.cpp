@@ -12,6 +12,14 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
+// YAML takes 1e-3 for a text, because it has no point: that cannot be seen from the value alone.
+std::string describe_text(const std::string& text) {
+  std::istringstream stream(text);
+  double number = 0.0;
+  const bool looks_like_a_number = (stream >> number) && stream.eof();
+  return "'" + text + "'" + (looks_like_a_number ? " (a text; a number is written without quotes and as 1.0e-3)" : "");
+}
+
 std::string describe(XmlRpcValue& value) {
   std::ostringstream text;
   switch (value.getType()) {
@@ -20,7 +28,10 @@ std::string describe(XmlRpcValue& value) {
     case XmlRpcValue::TypeArray:
       return "a list";
     case XmlRpcValue::TypeString:
-      return "'" + static_cast<std::string&>(value) + "'";
+      return describe_text(static_cast<std::string&>(value));
+    case XmlRpcValue::TypeDouble:
+      text << static_cast<double&>(value);
+      return text.str() + (text.str().find_first_of(".en") == std::string::npos ? ".0" : "");
     default:
       value.write(text);
       return text.str();
@@ -99,6 +110,18 @@ void ParameterReader::read(const std::string& key, std::uint32_t& value, const A
 
 void ParameterReader::read(const std::string& key, double& value, const Accepts& accepts) {
   value = number(key, accepts, "a number " + rigidformer::range_text(accepts));
+}
+
+void ParameterReader::read(const std::string& key, std::vector<int>& values, const Accepts& accepts) {
+  values.clear();
+  for (int i = 0; i < list_size(key); ++i) {
+    XmlRpcValue& given = tree_[key][i];
+    if (given.getType() != XmlRpcValue::TypeInt || !accepts.holds(static_cast<int&>(given))) {
+      throw std::invalid_argument("parameter " + full_name(key) + "[" + std::to_string(i) + "]: is " + describe(given) +
+                                  ", must be an integer " + rigidformer::range_text(accepts));
+    }
+    values.push_back(static_cast<int&>(given));
+  }
 }
 
 void ParameterReader::read(const std::string& key, std::optional<double>& value, const Accepts& accepts) {

@@ -41,6 +41,7 @@ class ParameterReader {
   void read(const std::string& key, int& value, const Accepts& accepts);
   void read(const std::string& key, std::uint32_t& value, const Accepts& accepts);
   void read(const std::string& key, double& value, const Accepts& accepts);
+  void read(const std::string& key, std::vector<int>& values, const Accepts& accepts);
   void read(const std::string& key, std::optional<double>& value, const Accepts& accepts);
 
   template <typename Enum, std::enable_if_t<std::is_enum_v<Enum>, int> = 0>

@@ -94,6 +94,14 @@ NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree) {
   return parameters;
 }
 
+PointLimit max_points_per_object(const InputParameters& input) {
+  return {static_cast<std::uint64_t>(input.max_points), "input/max_points"};
+}
+
+PointLimit max_points_per_cloud(const InputParameters& input) {
+  return {static_cast<std::uint64_t>(input.max_cloud_points), "input/max_cloud_points"};
+}
+
 rigidformer::TrackingOptions tracking_options(const NodeParameters& parameters) {
   return {parameters.input.min_points, parameters.input.sync_window, parameters.predict.length_scale,
           parameters.history, parameters.correspondence};

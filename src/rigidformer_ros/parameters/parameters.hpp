@@ -14,6 +14,7 @@
 #include "rigidformer/scene/object.hpp"
 #include "rigidformer/tracking/observation.hpp"
 #include "rigidformer/tracking/options.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 
 namespace rigidformer_ros {
 
@@ -74,8 +75,11 @@ struct InputParameters {
   int min_points = 4;
   int max_points = 200000;
   double sync_window = 0.1;
+  bool drop_invalid_points = true;
   std::string cloud;
   int max_cloud_points = 4000000;
+  std::string label_field;
+  std::vector<int> background_labels = {-1, 0};
   std::vector<NamedLabel> label_names;
   std::string object_clouds = "object_clouds";
   std::string pose_frame_prefix;
@@ -89,11 +93,16 @@ void for_each_member(InputParameters& o, const Visit& visit) {
   visit("discovery_period", o.discovery_period, between(0.1, 60.0), "[s] wall time between looks for new topics");
   visit("queue_size", o.queue_size, between(1, 1000), "clouds kept per topic");
   visit("min_points", o.min_points, between(4, 1e6), "a cloud with fewer finite points is rejected");
-  visit("max_points", o.max_points, between(4, 1e8), "a cloud of one object with more points is rejected");
+  visit("max_points", o.max_points, between(4, 1e8), "a cloud of one object with more finite points is rejected");
   visit("sync_window", o.sync_window, between(0.0, 3600.0), "[s] objects seen longer before the newest one sit out");
+  visit("drop_invalid_points", o.drop_invalid_points, anything(),
+        "points at 0 0 0 of the sensor, and one value that many share, are none");
   visit("cloud", o.cloud, anything(), "topic of one labelled cloud of the whole scene; \"\" = none");
   visit("max_cloud_points", o.max_cloud_points, between(4, 1e8),
-        "more points in it, background included: it is rejected");
+        "more finite points in it, background included: it is rejected");
+  visit("label_field", o.label_field, anything(), "field with the labels; \"\" = `instance`, or else `label`");
+  visit("background_labels", o.background_labels, between(-1, 2147483647),
+        "labels of no object; -1 = all bits set, as in 255 of an 8-bit field");
   visit("label_names", o.label_names, anything(), "what labels mean; others are dynamic objects `obj_<label>`");
   visit("object_clouds", o.object_clouds, anything(), "topic of rigidformer_ros/ObjectClouds; \"\" = none");
   visit("pose_frame_prefix", o.pose_frame_prefix, anything(), "tf frames `<prefix><id>` are poses of a tracker");
@@ -266,6 +275,10 @@ void for_each_member(NodeParameters& o, const Visit& visit) {
 
 /// Reads the node's private parameters. Throws std::invalid_argument naming the parameter and what is accepted.
 NodeParameters read_parameters(const XmlRpc::XmlRpcValue& tree);
+
+/// Limits of clouds with the names of their parameters.
+PointLimit max_points_per_object(const InputParameters& input);
+PointLimit max_points_per_cloud(const InputParameters& input);
 
 /// What the parameters say about tracks.
 rigidformer::TrackingOptions tracking_options(const NodeParameters& parameters);

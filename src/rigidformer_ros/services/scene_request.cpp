@@ -10,6 +10,7 @@
 
 #include "rigidformer/geometry/point_rows.hpp"
 #include "rigidformer_ros/inputs/frame_transformer.hpp"
+#include "rigidformer_ros/messages/near_origin.hpp"
 #include "rigidformer_ros/messages/object_clouds.hpp"
 #include "rigidformer_ros/services/request_error.hpp"
 
@@ -107,7 +108,8 @@ std::vector<ObjectObservation> read_scene(const ObjectClouds& clouds, const std:
   std::vector<ObjectObservation> objects;
   for (std::size_t i = 0; i < clouds.ids.size(); ++i) {
     try {
-      objects.push_back(read_object(clouds, i, static_cast<std::uint64_t>(parameters.input.max_points), T_fixed_cloud));
+      objects.push_back(read_object(clouds, i, max_points_per_object(parameters.input), T_fixed_cloud));
+      require_near_origin(objects.back().points_world, parameters.fixed_frame);
       resolve_properties(parameters.properties, objects.back());
     } catch (const std::invalid_argument& error) {
       reject(field + " object " + std::to_string(i) + " '" + clouds.ids[i] + "': " + error.what());

@@ -28,7 +28,7 @@ struct Cubes {
   SceneState state;
   Tensor centre;
 
-  explicit Cubes(int64_t count) {
+  explicit Cubes(std::int64_t count) {
     const Tensor corners =
         ((torch::arange(8, torch::kInt64).unsqueeze(-1).bitwise_and(torch::tensor({1, 2, 4})) > 0).to(torch::kFloat64) -
          0.5);
@@ -47,8 +47,8 @@ struct Cubes {
     state.previous.translation = state.current.translation.clone();
   }
 
-  void place(int64_t k, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
-    for (int64_t axis = 0; axis < 3; ++axis) {
+  void place(std::int64_t k, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+    for (std::int64_t axis = 0; axis < 3; ++axis) {
       state.current.translation[0][k][axis] = position[axis];
       state.previous.translation[0][k][axis] = position[axis] - velocity[axis] * kTimeStep_s;
     }
@@ -68,7 +68,7 @@ struct Cubes {
     return now.current;
   }
 
-  double height(const Pose& pose, int64_t k) const { return pose.translation[0][k][2].item<double>(); }
+  double height(const Pose& pose, std::int64_t k) const { return pose.translation[0][k][2].item<double>(); }
 };
 
 TEST(EngineStep, ModelsWithoutEngineHaveNone) {
@@ -245,7 +245,7 @@ TEST(EngineStep, TheNetworkCanLeaveAStepToItEntirely) {
 
 TEST(EngineStep, WhatMovesIsSeenFromAllSidesAndOfKnownMaterialIsCertain) {
   Cubes cubes(4);
-  for (int64_t k = 0; k < 3; ++k) cubes.place(k, {3.0 * static_cast<double>(k), 0.0, 0.4}, {0.0, 0.0, -2.0});
+  for (std::int64_t k = 0; k < 3; ++k) cubes.place(k, {3.0 * static_cast<double>(k), 0.0, 0.4}, {0.0, 0.0, -2.0});
   cubes.place(3, {9.0, 0.0, 0.5}, {0.1, 0.0, 0.0});
   cubes.batch.properties_known[0][1][2] = 0.0;
   cubes.batch.point_mask[0][2].slice(0, 4) = false;  // one face

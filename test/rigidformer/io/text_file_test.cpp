@@ -62,7 +62,7 @@ TEST(JsonNesting, CountsBracketsOutsideOfStrings) {
   EXPECT_FALSE(nests_too_deeply(std::string(64, '[')));
   EXPECT_TRUE(nests_too_deeply(std::string(65, '[')));
   EXPECT_TRUE(nests_too_deeply(R"({"a\\": )" + std::string(65, '{')));
-  EXPECT_FALSE(nests_too_deeply(R"({"a\": )" + std::string(65, '{')));  // all within a string
+  EXPECT_FALSE(nests_too_deeply(R"({"a\": )" + std::string(65, '{')));  // all brackets are within a string
   std::string flat;
   for (int i = 0; i < 100; ++i) flat += "[],";
   EXPECT_FALSE(nests_too_deeply(flat));

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::json;
 using Change = std::function<void(ModelOptions&)>;
 
-int64_t parameters_of(const std::string& preset) { return count_parameters(*RigidFormer(model_preset(preset))); }
+std::int64_t parameters_of(const std::string& preset) { return count_parameters(*RigidFormer(model_preset(preset))); }
 
 /// Every option away from its default, one at a time and in the combinations that interact.
 const std::vector<std::pair<std::string, Change>>& changes() {
@@ -68,7 +68,7 @@ void expect_finite_training_step(const ModelOptions& options, torch::ScalarType 
   for (int step = 0; step < 2; ++step) {
     const StepPrediction prediction = model->forward(scene.batch, state, centre, nearest_by_distance_matrix,
                                                      make_engine_step(options, scene.batch, centre));
-    ASSERT_EQ(prediction.anchors_raw.sizes(), (std::vector<int64_t>{2, 2, options.num_anchors, 3}));
+    ASSERT_EQ(prediction.anchors_raw.sizes(), (std::vector<std::int64_t>{2, 2, options.num_anchors, 3}));
     loss = loss + prediction.anchors_raw.square().sum() + prediction.pose.apply(scene.batch.points_reference).sum();
     state = advance(scene.batch, state, prediction);
   }

@@ -19,7 +19,7 @@ using testing::Imperfections;
 using testing::ShapeCamera;
 using testing::View;
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kDegree = M_PI / 180.0;  // [rad]
 
 RigidTransform turned(double angle_rad, const Eigen::Vector3d& axis, const Eigen::Vector3d& moved) {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(angle_rad, axis.normalized())), moved};
@@ -27,7 +27,7 @@ RigidTransform turned(double angle_rad, const Eigen::Vector3d& axis, const Eigen
 
 SurfaceCloud surface_of(const Points& points) { return estimate_surface(points, CorrespondenceOptions().noise); }
 
-// Reference = object frame = world at the start; the prediction is that nothing moved.
+// Registers with reference, object frame and world the same at the start, and the prediction that nothing moved.
 CloudRegistration register_from_rest(const ReferenceCloud& reference, const Points& cloud) {
   CorrespondenceOptions parameters;
   parameters.max_registered_points = static_cast<int>(cloud.rows());
@@ -83,7 +83,7 @@ TEST(CloudRegistration, P13_symmetric_shapes_do_not_flip_or_spin) {
     ShapeCamera camera(shape, 1.0, 7);
     const ReferenceCloud reference(surface_of(camera.sample(RigidTransform(), 2000)), CorrespondenceOptions());
     const RigidTransform truth = turned(4.0 * kDegree, {0.3, -1.0, 0.2}, {0.03, 0.02, -0.03});
-    // The same cloud is also explained by poses a quarter or half turn away: the one near the prediction is taken.
+    // Poses a quarter or half turn away explain the cloud as well: the one near the prediction must be taken.
     for (const double symmetry : {0.0, M_PI / 2.0, M_PI}) {
       const RigidTransform alias = turned(symmetry, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
       const CloudRegistration found =
@@ -187,7 +187,7 @@ TEST(ReferenceCloud, GrowsByNewSidesButNotByStrayPointsAndStaysBounded) {
   parameters.max_reference_points = 600;
   ReferenceCloud reference(surface_of(camera.look(RigidTransform(), {0.0, 0.0, 3.0}, 1000).points_world), parameters);
   EXPECT_GT(reference.points().col(2).minCoeff(), 0.2F) << "only the top was seen";
-  // Around the cube, twice.
+  // The camera goes around the cube twice.
   for (int i = 0; i < 80; ++i) {
     const double angle = 2.0 * M_PI * i / 40.0;
     reference.grow(surface_of(

@@ -10,7 +10,8 @@
 
 namespace rigidformer::testing {
 
-/// The same irregular cloud of about a metre (the size the shipped model knows) every time, centroid in the origin.
+/// An irregular cloud of about a metre, the size that the shipped model knows. It is the same every time,
+/// and its centroid is the origin.
 inline Points blob(int count = 30, unsigned seed = 7) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<float> coordinate(-0.5F, 0.5F);

@@ -11,7 +11,7 @@ namespace {
 
 using testing::Flight;
 
-constexpr double kMinDt = 0.005;
+constexpr double kMinDt = 0.005;  // [s] the default of history/min_dt
 
 PoseHistory record(const Flight& flight, const std::vector<double>& times, double start_s = 100.0) {
   PoseHistory history;
@@ -91,7 +91,7 @@ TEST(PoseHistory, CloseAndRepeatedStampsReplace) {
   const PoseHistory history = record(flight, {0.0, 0.03, 0.03, 0.030000001, 0.034});
   EXPECT_EQ(history.size(), 2U);
   EXPECT_EQ(history.newest_stamp(), stamp_at(100.034));
-  // A stream faster than min_dt still grows.
+  // The history of a stream faster than min_dt grows all the same.
   std::vector<double> fast;
   for (int i = 0; i < 40; ++i) {
     fast.push_back(0.001 * i);

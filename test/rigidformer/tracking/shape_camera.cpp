@@ -11,15 +11,15 @@
 #include "rigidformer/scene/surface_sampling.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
 
-namespace testing {
+namespace rigidformer::testing {
 
 namespace {
 
-constexpr int kSamplesPerPoint = 6;     // of the whole surface, of which the camera sees and hits some
-constexpr float kSurfaceGap = 0.005F;   // [m] at size 1: a point does not hide itself
-constexpr double kOutlierExtent = 1.5;  // of the shape's box
+constexpr int kSamplesPerPoint = 6;     // samples of the whole surface, of which the camera sees and hits some; by eye
+constexpr float kSurfaceGap = 0.005F;   // [m] at size 1, so that a point does not hide itself; by eye
+constexpr double kOutlierExtent = 1.5;  // [extents of the shape's box] box of the outliers; by eye
 
-// Whether the segment from `a` to `b` passes through the part.
+// Tells whether the segment from `a` to `b` passes through the part.
 bool crosses(const ConvexPart& part, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   float enter = 0.0F;
   float leave = 1.0F;
@@ -136,4 +136,4 @@ PoseError pose_error(const RigidTransform& T_tracked, const RigidTransform& T_tr
   return {(T_estimated.translation - T_true.translation).norm(), rotation_angle(T_estimated.rotation, T_true.rotation)};
 }
 
-}  // namespace testing
+}  // namespace rigidformer::testing

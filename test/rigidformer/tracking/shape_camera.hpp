@@ -10,17 +10,17 @@
 #include "rigidformer/scene/shape.hpp"
 #include "rigidformer/tracking/options.hpp"
 
-namespace testing {
+namespace rigidformer::testing {
 
-/// What a camera makes of a surface.
+/// The faults of a camera. The values were chosen by eye.
 struct Imperfections {
-  double noise_m = 0.003;       ///< Standard deviation along each axis
-  double outlier_share = 0.05;  ///< Of the points, anywhere in a box of 1.5 times the object's extents
+  double noise_m = 0.003;       ///< Standard deviation along each axis [m]
+  double outlier_share = 0.05;  ///< Share of points that lie anywhere in a box of 1.5 times the object's extents
 };
 
 struct View {
   Points points_world;
-  double visible_share = 0.0;  ///< Of the surface
+  double visible_share = 0.0;  ///< Share of the surface that the camera sees
 };
 
 /// A depth camera in front of one builtin shape. Every view draws other points; the same seed gives the same series.
@@ -29,11 +29,11 @@ class ShapeCamera {
   /// Throws std::invalid_argument for an unknown shape. `size` scales it (size 1: about a metre).
   ShapeCamera(const std::string& shape, double size, std::uint64_t seed);
 
-  /// At most `count` points that `eye_world` sees of the shape at the given pose, as dense as pixels are.
+  /// Gives at most `count` points that `eye_world` sees of the shape at the given pose, as dense as pixels are.
   View look(const RigidTransform& T_world_object, const Eigen::Vector3d& eye_world, int count,
             const Imperfections& imperfections = {});
 
-  /// `count` points of the whole surface.
+  /// Gives `count` points of the whole surface.
   Points sample(const RigidTransform& T_world_object, int count, const Imperfections& imperfections = {});
 
   Random& random() { return random_; }
@@ -60,8 +60,8 @@ struct Tumble {
   RigidTransform pose(double t) const;
 };
 
-/// Pose error of a tracked object, whose frame is another than the true one: `T_tracked` and `T_true` are poses now,
-/// the others those when the track began. Position is that of the true centre.
+/// Pose error of a tracked object whose frame differs from the true one: `T_tracked` and `T_true` are poses now, and
+/// the other two are those when the track began. The position is that of the true centre.
 struct PoseError {
   double position_m;
   double rotation_rad;
@@ -69,4 +69,4 @@ struct PoseError {
 PoseError pose_error(const RigidTransform& T_tracked, const RigidTransform& T_tracked_first,
                      const RigidTransform& T_true, const RigidTransform& T_true_first);
 
-}  // namespace testing
+}  // namespace rigidformer::testing

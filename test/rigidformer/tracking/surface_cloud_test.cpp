@@ -11,11 +11,11 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kSide = 11;
-constexpr float kSpacing = 0.1F;
-constexpr double kNoise = 0.003;
+constexpr int kSide = 11;         // points along an edge
+constexpr float kSpacing = 0.1F;  // [m]
+constexpr double kNoise = 0.003;  // [m] the default of correspondence/noise
 
-// A square of 1 m in the plane z = 0, one corner at the origin.
+// A square of 1 m in the plane z = 0, with one corner at the origin.
 Points square() {
   Points points = Points::Zero(kSide * kSide, 3);
   for (int i = 0; i < kSide * kSide; ++i) {
@@ -25,7 +25,7 @@ Points square() {
   return points;
 }
 
-// That and another one, in the plane x = 1, which has the edge there in common.
+// The square and another one in the plane x = 1, which share the edge between them.
 Points two_faces() {
   Points points(2 * kSide * kSide - kSide, 3);
   points.topRows(kSide * kSide) = square();
@@ -70,7 +70,7 @@ TEST(FindBorder, ABallHasNoneWhereItTurnsOutOfView) {
   Points cap(400, 3);
   for (int i = 0; i < 400; ++i) {
     const float height = 1.0F - static_cast<float>(i) / 400.0F;
-    const float angle = 2.4F * static_cast<float>(i);  // the golden angle: evenly spread
+    const float angle = 2.4F * static_cast<float>(i);  // the golden angle spreads points evenly
     const float radius = std::sqrt(1.0F - height * height);
     cap.row(i) << radius * std::cos(angle), radius * std::sin(angle), height;
   }

@@ -22,9 +22,9 @@ using testing::ShapeCamera;
 using testing::Tumble;
 using testing::View;
 
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kFrame = 1.0 / 30.0;
-const Eigen::Vector3d kEye(0.0, -3.0, 1.0);
+constexpr double kDegree = M_PI / 180.0;     // [rad]
+constexpr double kFrame = 1.0 / 30.0;        // [s] between clouds
+const Eigen::Vector3d kEye(0.0, -3.0, 1.0);  // position of the camera [m]
 
 TrackingOptions by(Correspondence method) {
   TrackingOptions options;
@@ -51,7 +51,7 @@ class RegistrationTracks : public ::testing::Test {
     throw std::runtime_error("object '" + id + "' is not tracked");
   }
 
-  // Frames 0 .. count - 1 of an object that hangs still.
+  // Adds frames 0 .. count - 1 of an object that hangs still.
   void feed_still(ShapeCamera& camera, const std::string& id, const RigidTransform& pose, int count) {
     for (int i = 0; i < count; ++i) {
       store.add(seen(id, i * kFrame, camera.look(pose, kEye, 800).points_world));
@@ -88,8 +88,8 @@ TEST_P(TumblingObject, IsFollowedByOneCamera) {
   EXPECT_LE(doubtful, 6);
 }
 
-// Beyond the target: bodies that slide along their faces while only one or two are in view (cube, cylinder, cone).
-// The spin of bodies of revolution is not seen.
+// Bodies that slide along their faces while only one or two of these are in view (cube, cylinder, cone) are beyond the
+// target. The spin of bodies of revolution is not seen.
 INSTANTIATE_TEST_SUITE_P(Shapes, TumblingObject, ::testing::Values("bone", "torus_knot", "gear", "pebble"));
 
 class TurningObject : public RegistrationTracks, public ::testing::WithParamInterface<const char*> {};
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, TurningObject, ::testing::Values("cone", "cube"
 
 TEST_F(RegistrationTracks, NothingIsLearnedWhereAnEndIsHidden) {
   ShapeCamera camera("cube", 1.0, 14);
-  const Eigen::Vector3d above(0.0, -3.0, 3.0);  // Two faces are seen, along which the cube might slide
+  const Eigen::Vector3d above(0.0, -3.0, 3.0);  // sees two faces, along which the cube might slide
   for (int i = 0; i < 4; ++i) {
     store.add(seen("a", i * kFrame, camera.look(RigidTransform(), above, 1000).points_world));
   }
@@ -238,7 +238,7 @@ TEST_F(RegistrationTracks, AGivenPoseIsUsedAsItIs) {
   const RigidTransform T_given = newest().state.T_world_current;
   EXPECT_EQ(T_given.translation, tumble.pose(2 * kFrame).translation);
   EXPECT_EQ(T_given.rotation.coeffs(), tumble.pose(2 * kFrame).rotation.coeffs());
-  // A cloud without one is registered, in the frame of the poses.
+  // A cloud without a pose is registered, in the frame of the poses.
   EXPECT_EQ(store.add(look(3, false)), AddResult::kExtended);
   const RigidTransform T_found = newest().state.T_world_current;
   EXPECT_LT((T_found.translation - tumble.pose(3 * kFrame).translation).norm(), 0.01);

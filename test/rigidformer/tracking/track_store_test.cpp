@@ -15,11 +15,11 @@ using testing::blob;
 using testing::Flight;
 using testing::observe;
 
-constexpr double kTimeStep = 10.0 / 240.0;
+constexpr double kTimeStep = 10.0 / 240.0;  // [s] ten frames of the training data
 
 class TrackStoreTest : public ::testing::Test {
  protected:
-  // Frames 0 .. count - 1 of a flight at 30 Hz from `start_s` on.
+  // Adds frames 0 .. count - 1 of a flight at 30 Hz from `start_s` on.
   void feed(const std::string& id, const Flight& flight, int count, double start_s = 100.0) {
     for (int i = 0; i < count; ++i) {
       store.add(observe(id, flight, start_s + i / 30.0, i / 30.0));
@@ -29,7 +29,7 @@ class TrackStoreTest : public ::testing::Test {
   TrackStore store{TrackingOptions()};
 };
 
-// World points of an object's state, whatever its reference frame is.
+// The points of an object's state in world, whichever its reference frame is.
 void expect_points(const Points& actual, const Points& expected) {
   ASSERT_EQ(actual.rows(), expected.rows());
   EXPECT_LT((actual - expected).cwiseAbs().maxCoeff(), 5e-6F);
@@ -54,6 +54,32 @@ TEST_F(TrackStoreTest, ReferenceIsTheFirstCloudAboutItsCentroid) {
   EXPECT_LT(reference.colwise().mean().norm(), 1e-6F);
 }
 
+TEST_F(TrackStoreTest, P53_ObjectsOfAClockThatIsAheadAreForgottenWhenTheyStopComing) {
+  ObjectObservation ahead = observe("ahead", Flight(), 104.0, 0.0);
+  ahead.arrival = stamp_at(100.0);
+  store.add(ahead);
+  feed("b", Flight(), 60);
+  const ObservedScene scene = store.snapshot(kTimeStep);
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_EQ(scene.objects[0].state.id, "b");
+  EXPECT_FALSE(scene.objects[0].assumed_static);
+}
+
+TEST_F(TrackStoreTest, P53_ObjectsOfDifferentClocksAreBothInTheScene) {
+  for (int i = 0; i < 5; ++i) {
+    for (const auto& [id, offset_s] : {std::pair<const char*, double>{"a", 2.0}, {"b", 0.0}}) {
+      ObjectObservation observation = observe(id, Flight(), 100.0 + offset_s + i / 30.0, i / 30.0);
+      observation.arrival = stamp_at(100.0 + i / 30.0);
+      store.add(observation);
+    }
+  }
+  const ObservedScene scene = store.snapshot(kTimeStep);
+  ASSERT_EQ(scene.objects.size(), 2U);
+  EXPECT_FALSE(scene.objects[0].low_quality);
+  EXPECT_TRUE(scene.objects[1].low_quality);
+  EXPECT_NE(scene.clock_remark.find("'b'"), std::string::npos) << scene.clock_remark;
+}
+
 TEST_F(TrackStoreTest, OneFrameIsAssumedStatic) {
   feed("a", Flight(), 1);
   const ObservedObject object = store.snapshot(kTimeStep).objects.at(0);
@@ -63,7 +89,7 @@ TEST_F(TrackStoreTest, OneFrameIsAssumedStatic) {
 
 TEST_F(TrackStoreTest, TakesTheSceneWhereAllObjectsAre) {
   feed("a", Flight(), 4);
-  feed("b", Flight(), 3);  // its newest cloud is still on the way
+  feed("b", Flight(), 3);  // the newest cloud of "b" is still on the way
   const ObservedScene scene = store.snapshot(kTimeStep);
   EXPECT_NEAR(seconds_between({}, scene.stamp), 100.0 + 2 / 30.0, 1e-8);
   EXPECT_EQ(scene.objects.size(), 2U);
@@ -124,8 +150,10 @@ TEST_F(TrackStoreTest, P36_WhatCannotBePredictedIsSkippedWithTheReason) {
 TEST_F(TrackStoreTest, P37_WhatCannotBePredictedHasNoSayInTheTimeOfTheScene) {
   feed("a", Flight(), 5);
   const ObservedScene alone = store.snapshot(kTimeStep);
-  for (const double stamp : {100.05, 100.0, 103.0}) {  // behind within the window, and ahead beyond every timeout
-    store.add(observe("wire", wire(), stamp));
+  for (const double stamp : {100.05, 100.0, 103.0}) {  // behind within the window, and by a clock that is ahead
+    ObjectObservation observation = observe("wire", wire(), stamp);
+    observation.arrival = stamp_at(100.15);
+    store.add(observation);
     const ObservedScene scene = store.snapshot(kTimeStep);
     EXPECT_EQ(scene.stamp, alone.stamp) << stamp;
     ASSERT_EQ(scene.objects.size(), 1U) << stamp;

@@ -26,7 +26,7 @@ RigidTransform truth(double t) {
 SceneRollout forecast(const std::vector<std::string>& ids, double t0, double position_error_m, double angle_error_rad,
                       int steps = 4, std::uint64_t track = 7) {
   SceneRollout rollout;
-  rollout.scene.stamp = ros::Time(t0);
+  rollout.scene.stamp = rigidformer::stamp_at(t0);
   for (int k = 0; k <= steps; ++k) {
     rollout.outcome.forecast.times_s.push_back(k * kTimeStep);
   }
@@ -52,7 +52,7 @@ TrackRecord seen(double from, double to, std::uint64_t track = 7) {
   TrackRecord record;
   record.track = track;
   for (int i = 0; from + i / 30.0 <= to + 1e-9; ++i) {
-    record.poses.add(ros::Time(from + i / 30.0), truth(from + i / 30.0), 0.005);
+    record.poses.add(rigidformer::stamp_at(from + i / 30.0), truth(from + i / 30.0), 0.005);
   }
   return record;
 }

@@ -39,7 +39,7 @@ TEST_F(LiveSceneTest, P08_jitter_of_the_stamps_drops_single_clouds_only) {
   EXPECT_EQ(rejected("late cloud"), 2U);
   EXPECT_EQ(scene.epoch(), 0U) << "nothing was forgotten";
   const ObservedScene observed = scene.snapshot(0.04);
-  EXPECT_EQ(observed.stamp, ros::Time(100.133));
+  EXPECT_EQ(observed.stamp, rigidformer::stamp_at(100.133));
   ASSERT_EQ(observed.objects.size(), 1U);
   EXPECT_FALSE(observed.objects[0].assumed_static);
   EXPECT_LT((observed.objects[0].state.T_world_previous.translation - testing::Flight().pose(0.093).translation).norm(),
@@ -62,13 +62,33 @@ TEST_F(LiveSceneTest, P07_a_clock_that_starts_over_begins_a_new_epoch) {
   EXPECT_EQ(scene.epoch(), 2U);
 }
 
+TEST_F(LiveSceneTest, P57_slow_clouds_are_noted_with_the_gap_and_the_limit) {
+  add(100.0, 100.0);
+  add(100.5, 100.5);
+  const auto counts = rejections.counts();
+  ASSERT_EQ(counts.count("gap between clouds"), 1U);
+  const RejectionLog::Count& gap = counts.at("gap between clouds");
+  EXPECT_FALSE(gap.was_rejected);
+  EXPECT_NE(gap.detail.find("0.5 s apart"), std::string::npos) << gap.detail;
+  EXPECT_NE(gap.detail.find("history/max_dt is 0.3 s"), std::string::npos) << gap.detail;
+  EXPECT_EQ(rejections.take_report().at(0).find("Noticed, "), 0U);
+}
+
+TEST_F(LiveSceneTest, P57_late_clouds_feed_the_scene_as_long_as_they_come) {
+  rigidformer::ObjectObservation late = testing::observe("a", testing::Flight(), 100.0, 0.0);
+  late.arrival = rigidformer::stamp_at(103.0);
+  scene.add(late);
+  EXPECT_TRUE(scene.is_fed(rigidformer::stamp_at(103.5), 1.0));
+  EXPECT_FALSE(scene.is_fed(rigidformer::stamp_at(104.5), 1.0));
+}
+
 TEST_F(LiveSceneTest, RecordsHoldThePosesOfEveryTrack) {
   add(100.0, 100.0);
   add(100.033, 100.033);
   const TrackRecord record = scene.records().at("a");
   EXPECT_EQ(record.track, scene.snapshot(0.04).objects.at(0).track);
   EXPECT_EQ(record.poses.size(), 2U);
-  EXPECT_EQ(record.poses.newest_stamp(), ros::Time(100.033));
+  EXPECT_EQ(record.poses.newest_stamp(), rigidformer::stamp_at(100.033));
   EXPECT_FALSE(record.low_quality);
 }
 

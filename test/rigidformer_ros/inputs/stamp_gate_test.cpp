@@ -18,6 +18,18 @@ TEST(StampGate, P06_accepts_the_present_and_names_the_likely_cause_otherwise) {
   EXPECT_NE(gate.objection(now, ros::Time(0))->find("/clock"), std::string::npos);
 }
 
+TEST(StampGate, P57_the_cause_fits_and_the_parameter_is_named) {
+  const StampGate gate(5.0, 0.5);
+  const ros::Time now(1.8e9);
+  const auto objection = [&](double stamp_s) { return *gate.objection(ros::Time(stamp_s), now); };
+  for (const double stamp_s : {1.8e9 + 7.0, 1.8e9 - 7.0, 320.0}) {
+    EXPECT_NE(objection(stamp_s).find("max_stamp_skew is 5 s"), std::string::npos) << objection(stamp_s);
+    EXPECT_EQ(objection(stamp_s).find("bag"), std::string::npos) << objection(stamp_s);
+  }
+  EXPECT_NE(objection(320.0).find("clock of its own"), std::string::npos) << objection(320.0);
+  EXPECT_NE(objection(1.7e9).find("--clock"), std::string::npos) << objection(1.7e9);
+}
+
 TEST(StampGate, ReportsARestartOnce) {
   StampGate gate(5.0, 0.5);
   EXPECT_FALSE(gate.clock_restarted(ros::Time(100.0)));

@@ -109,6 +109,18 @@ TEST(CloudConversion, P03_MalformedMessagesNameTheField) {
   }
 }
 
+TEST(CloudConversion, P55_FinitePointsCountNotTheImage) {
+  Points image = Points::Constant(1000, 3, std::numeric_limits<float>::quiet_NaN());
+  image.topRows(3) = three_points();
+  EXPECT_EQ(read_points(to_cloud(image), {3, "input/max_points"}).rows(), 1000);
+  try {
+    read_points(to_cloud(image), {2, "input/max_points"});
+    FAIL() << "three finite points are more than two";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("input/max_points"), std::string::npos) << error.what();
+  }
+}
+
 TEST(CloudConversion, LabelledCloudHoldsEveryBatch) {
   const PointCloud2 cloud = to_labelled_cloud({{three_points(), 4, 1, 0.25F}, {three_points(), 5, 2, 0.5F}});
   ASSERT_EQ(cloud.width, 6U);

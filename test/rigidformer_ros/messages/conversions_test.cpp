@@ -62,7 +62,7 @@ TEST(Conversions, TopicOfAnObjectIsALegalName) {
 
 SceneRollout falling_scene() {
   SceneRollout rollout;
-  rollout.scene.stamp = ros::Time(3, 999);
+  rollout.scene.stamp = rigidformer::Stamp(std::chrono::seconds(3) + std::chrono::nanoseconds(999));
   rollout.scene.time_step_s = 0.04;
   rollout.scene.skipped.push_back({"gone", "not seen"});
   for (int k = 0; k <= 6; ++k) {

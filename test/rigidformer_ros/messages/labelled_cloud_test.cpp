@@ -25,8 +25,12 @@ constexpr std::uint64_t kMaxPoints = 1000;
 // One label per point of the six points that most tests split: two of background, one of object 2, three of object 7.
 const std::vector<std::int64_t> kLabels{0, 7, 2, 7, 0, 7};
 
+std::vector<LabelPoints> split(const PointCloud2& cloud, const LabelOptions& options = {}) {
+  return split_by_label(cloud, read_points(cloud, kMaxPoints), options);
+}
+
 void expect_split(const PointCloud2& cloud, const Points& points) {
-  const std::vector<LabelPoints> parts = split_by_label(cloud, kMaxPoints);
+  const std::vector<LabelPoints> parts = split(cloud);
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].label, 2U);
   EXPECT_EQ(parts[1].label, 7U);
@@ -36,7 +40,7 @@ void expect_split(const PointCloud2& cloud, const Points& points) {
 
 std::string error_of(const PointCloud2& cloud) {
   try {
-    split_by_label(cloud, kMaxPoints);
+    split(cloud);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -57,14 +61,36 @@ TEST(LabelledCloud, ReadsEveryIntegerTypeAndFieldOrder) {
   }
 }
 
-TEST(LabelledCloud, LabelWinsOverInstance) {
+TEST(LabelledCloud, P54_InstanceWinsOverLabelAndANameOverBoth) {
   const Points points = blob(6);
-  PointCloud2 cloud = LabelledCloudMaker().make(points, kLabels);
-  PointField instance = cloud.fields[0];
-  instance.name = "instance";
-  instance.offset = 0;  // These are the bytes of x: read as labels, they would make other objects.
-  cloud.fields.insert(cloud.fields.begin(), instance);
+  LabelledCloudMaker maker;
+  maker.field = "instance";
+  PointCloud2 cloud = maker.make(points, kLabels);
+  PointField other = cloud.fields[0];
+  other.name = "label";
+  other.offset = 0;  // These are the bytes of x: read as labels, they would make other objects.
+  cloud.fields.insert(cloud.fields.begin(), other);
   expect_split(cloud, points);
+  cloud.fields[0].name = "instance";
+  cloud.fields[1].name = "object_id";
+  const std::vector<LabelPoints> named = split(cloud, {"object_id", {0}});
+  ASSERT_EQ(named.size(), 2U);
+  EXPECT_EQ(named[1].label, 7U);
+  EXPECT_THROW(split(cloud, {"nothing", {0}}), std::invalid_argument);
+}
+
+TEST(LabelledCloud, P54_AllBitsAndListedLabelsAreBackground) {
+  const Points points = blob(3);
+  LabelledCloudMaker maker;
+  for (const auto& [datatype, all_bits] : {std::pair<std::uint8_t, std::int64_t>{PointField::UINT8, 255},
+                                           {PointField::UINT16, 65535},
+                                           {PointField::UINT32, 4294967295}}) {
+    maker.datatype = datatype;
+    const PointCloud2 cloud = maker.make(points, {all_bits, 3, 5});
+    EXPECT_EQ(split(cloud).size(), 2U) << all_bits;
+    EXPECT_EQ(split(cloud, {"", {0, 5}}).size(), 2U) << all_bits;
+    EXPECT_EQ(split(cloud, {"", {-1, 0, 5}}).size(), 1U) << all_bits;
+  }
 }
 
 TEST(LabelledCloud, OrganisedCloudsMayHavePaddedRows) {
@@ -85,24 +111,24 @@ TEST(LabelledCloud, OrganisedCloudsMayHavePaddedRows) {
 TEST(LabelledCloud, NegativeLabelsAreBackgroundAndLargeOnesAreKept) {
   const Points points = blob(3);
   LabelledCloudMaker maker;
-  EXPECT_EQ(split_by_label(maker.make(points, {4000000000, 0, 0}), kMaxPoints).at(0).label, 4000000000U);
+  EXPECT_EQ(split(maker.make(points, {4000000000, 0, 0})).at(0).label, 4000000000U);
   for (const std::uint8_t datatype : {PointField::INT8, PointField::INT16, PointField::INT32}) {
     maker.datatype = datatype;
-    EXPECT_TRUE(split_by_label(maker.make(points, {-1, -1, -1}), kMaxPoints).empty());
+    EXPECT_TRUE(split(maker.make(points, {-1, -1, -1})).empty());
   }
 }
 
 TEST(LabelledCloud, P01_NotFinitePointsKeepTheirPlace) {
   Points points = blob(6);
   points(3, 1) = std::numeric_limits<float>::infinity();
-  const std::vector<LabelPoints> parts = split_by_label(LabelledCloudMaker().make(points, kLabels), kMaxPoints);
+  const std::vector<LabelPoints> parts = split(LabelledCloudMaker().make(points, kLabels));
   ASSERT_EQ(parts.at(1).points.rows(), 3);
   EXPECT_EQ(rigidformer::finite_rows(parts.at(1).points), (std::vector<int>{0, 2}));
 }
 
 TEST(LabelledCloud, P02_EmptyAndAllBackgroundHaveNoObjects) {
-  EXPECT_TRUE(split_by_label(PointCloud2(), kMaxPoints).empty());
-  EXPECT_TRUE(split_by_label(LabelledCloudMaker().make(blob(6), {0, 0, 0, 0, 0, 0}), kMaxPoints).empty());
+  EXPECT_TRUE(split(PointCloud2()).empty());
+  EXPECT_TRUE(split(LabelledCloudMaker().make(blob(6), {0, 0, 0, 0, 0, 0})).empty());
 }
 
 struct Damage {

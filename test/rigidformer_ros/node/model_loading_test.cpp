@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The weights in the repository.
 const char kShippedModel[] = RIGIDFORMER_SOURCE_DIR "/models/small.safetensors";
 
 class ModelLoadingTest : public ::testing::Test {

@@ -18,7 +18,7 @@ using visualization_msgs::MarkerArray;
 
 SceneRollout rollout(const std::vector<std::string>& ids, int steps) {
   SceneRollout r;
-  r.scene.stamp = ros::Time(5.0);
+  r.scene.stamp = rigidformer::stamp_at(5.0);
   r.scene.time_step_s = 0.04;
   for (int k = 0; k <= steps; ++k) {
     r.outcome.forecast.times_s.push_back(0.04 * k);

@@ -52,7 +52,7 @@ void list_members(Group group, const std::string& path, std::map<std::string, st
     const std::string name = path + "/" + key;
     if constexpr (rigidformer::has_members<T>) {
       list_members(value, name, values);
-    } else if constexpr (rigidformer::is_list<T>) {
+    } else if constexpr (rigidformer::IsVector<T>::value) {
       values[name] = "[" + std::to_string(value.size()) + "]";
     } else if constexpr (std::is_same_v<T, std::optional<double>>) {
       values[name] = value ? std::to_string(*value) : accepts.words.front();

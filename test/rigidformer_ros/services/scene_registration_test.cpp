@@ -7,13 +7,14 @@
 
 #include "rigidformer/tracking/shape_camera.hpp"
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
+#include "rigidformer_ros/services/request_error.hpp"
 #include "rigidformer_ros/services/scene_request.hpp"
 
 namespace rigidformer_ros {
 namespace {
 
-using testing::ShapeCamera;
-using testing::Tumble;
+using rigidformer::testing::ShapeCamera;
+using rigidformer::testing::Tumble;
 
 // [s] between two clouds, as from a camera of 30 Hz.
 constexpr double kFrame = 1.0 / 30.0;
@@ -36,13 +37,13 @@ TEST(SceneRegistration, P12_a_request_may_hold_other_points_than_the_scene_befor
   NodeParameters parameters;
   EXPECT_THROW(track_scenes(scene, &previous, parameters, stay), RequestError) << "ordered needs the same points";
   parameters.correspondence.method = rigidformer::Correspondence::kRegistration;
-  const ObservedScene observed = track_scenes(scene, &previous, parameters, stay).snapshot(kFrame);
+  const rigidformer::ObservedScene observed = track_scenes(scene, &previous, parameters, stay).snapshot(kFrame);
   ASSERT_EQ(observed.objects.size(), 1U);
   EXPECT_FALSE(observed.objects[0].assumed_static);
   EXPECT_FALSE(observed.objects[0].low_quality);
   const rigidformer::ObjectState& state = observed.objects[0].state;
-  const testing::PoseError error =
-      testing::pose_error(state.T_world_current, state.T_world_previous, tumble.pose(kFrame), tumble.pose(0.0));
+  const rigidformer::testing::PoseError error = rigidformer::testing::pose_error(
+      state.T_world_current, state.T_world_previous, tumble.pose(kFrame), tumble.pose(0.0));
   EXPECT_LT(error.position_m, 0.01);
   EXPECT_LT(error.rotation_rad, 2.0 * M_PI / 180.0);
 }

@@ -32,6 +32,7 @@ constexpr int kFramesPerCloud = 8;
 constexpr int kSteps = 6;
 // Frames of the recording per step: the default time step of the node is 1/24 s, or ten frames of 1/240 s.
 constexpr int kFramesPerStep = 10;
+// The weights in the repository. Without them the tests are skipped.
 const std::string kModel = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/small.safetensors";
 
 const std::vector<Shape>& shapes() {
@@ -113,7 +114,7 @@ class LengthScale : public ::testing::Test {
                                         [&](const Shape& candidate) { return candidate.name == object.shape; });
         ObjectObservation observation;
         observation.id = std::to_string(i);
-        observation.stamp = ros::Time(1000.0 + at / scene.frame_rate_hz);
+        observation.stamp = rigidformer::stamp_at(1000.0 + at / scene.frame_rate_hz);
         observation.points_world = object.T_world_object[static_cast<std::size_t>(at)].apply(
             rigidformer::sample_surface(*shape, 128, 1).points * static_cast<float>(object.size));
         tracks.add(observation);

@@ -87,7 +87,7 @@ TEST_F(DepthCameraRecorder, CloudsPosesAndFramesTellOfTheSameObjects) {
   const auto scenes = messages<ObjectClouds>("/object_clouds");
   const auto frames = messages<tf2_msgs::TFMessage>("/tf");
   for (std::size_t i = 0; i < clouds.size(); ++i) {
-    const std::vector<LabelPoints> parts = split_by_label(clouds[i], 1000000);
+    const std::vector<LabelPoints> parts = split_by_label(clouds[i], read_points(clouds[i], 1000000));
     ASSERT_EQ(parts.size(), scenes[i].ids.size());
     ASSERT_EQ(parts.size(), frames[i].transforms.size());
     for (std::size_t k = 0; k < parts.size(); ++k) {
