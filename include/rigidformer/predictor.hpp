@@ -54,9 +54,12 @@ class Predictor {
   /// Runs dummy predictions so that the first real one is as fast as the rest.
   virtual void warm_up();
 
-  /// Rolls all objects out together (paper §3). Throws std::invalid_argument naming the object or field at fault.
-  /// Objects whose prediction stops being finite get Status::kDiverged and keep their last finite pose. An empty
-  /// scene gives an empty forecast.
+  /// Rolls all objects out together (paper §3). Throws std::invalid_argument naming the option at fault.
+  /// Objects whose prediction stops being finite get Status::kDiverged and keep their last finite pose. Objects that
+  /// cannot be predicted get Status::kUnusable with the reason, and the others the forecast that they have without
+  /// them: those to which there is an objection (scene/objection.hpp), whose id came before, or that are more than the
+  /// model takes. Where that leaves none of a scene, std::invalid_argument tells the reasons. An empty scene gives an
+  /// empty forecast.
   virtual Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
   /// Begins a rollout that goes on in pieces: nothing is predicted before the first

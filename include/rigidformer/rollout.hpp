@@ -11,10 +11,15 @@ namespace rigidformer {
 
 /// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; k = 0 is the observation.
 struct ObjectTrajectory {
-  enum class Status { kOk, kDiverged };
+  enum class Status {
+    kOk,
+    kDiverged,  ///< The prediction stopped being finite: it keeps its last finite pose
+    kUnusable   ///< It took no part, the others were predicted as if it were not there: it stays where it was observed
+  };
   std::string id;
   Status status = Status::kOk;
   std::vector<RigidTransform> poses;
+  std::string reason = {};  ///< Of kUnusable
 };
 
 /// Predicted motion of a scene.

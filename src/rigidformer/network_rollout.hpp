@@ -14,8 +14,8 @@ namespace rigidformer {
 /// of the points, their search trees, the centres of mass and the engine's hulls.
 class NetworkRollout : public Rollout {
  public:
-  /// The network must outlive the rollout. At least one object; objects and options are valid. The network looks at
-  /// `max_points` points per object; larger clouds are thinned evenly.
+  /// The network must outlive the rollout. At least one object; objects are usable and options valid. The network looks
+  /// at `max_points` points per object; larger clouds are thinned evenly. Throws what make_engine_step() throws.
   NetworkRollout(RigidFormer& model, const torch::Device& device, int max_points, const RestLimits& rest,
                  const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 

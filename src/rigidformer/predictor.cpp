@@ -9,6 +9,7 @@
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/threads.hpp"
 #include "rigidformer/network_rollout.hpp"
+#include "rigidformer/usable_rollout.hpp"
 
 namespace rigidformer {
 namespace {
@@ -59,7 +60,7 @@ class EmptyRollout : public Rollout {
 struct Predictor::Impl {
   explicit Impl(const PredictorOptions& predictor_options);
 
-  void check(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) const;
+  void check(const RolloutOptions& rollout) const;
   void ask_model(const ModelOptions& model);
   void describe();
 
@@ -133,12 +134,8 @@ void Predictor::Impl::describe() {
   info.max_points = options.max_points;
 }
 
-void Predictor::Impl::check(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) const {
-  validate_scene(objects, rollout);
-  if (objects.size() > static_cast<size_t>(info.max_objects)) {
-    throw std::invalid_argument("the scene has " + std::to_string(objects.size()) + " objects, at most " +
-                                std::to_string(info.max_objects) + " are allowed");
-  }
+void Predictor::Impl::check(const RolloutOptions& rollout) const {
+  validate_options(rollout);
   if (rollout.time_step_s < info.min_time_step_s - kTimeStepTolerance ||
       rollout.time_step_s > info.max_time_step_s + kTimeStepTolerance) {
     throw std::invalid_argument("time_step_s is " + std::to_string(rollout.time_step_s) +
@@ -165,11 +162,13 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
 }
 
 std::unique_ptr<Rollout> Predictor::start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
-  impl_->check(objects, rollout);
+  impl_->check(rollout);
   if (objects.empty()) return std::make_unique<EmptyRollout>(rollout.time_step_s);
   const PredictorOptions& options = impl_->options;
-  return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, options.max_points,
-                                          RestLimits{options.rest_speed, options.rest_spin}, objects, rollout);
+  return start_usable(objects, impl_->info.max_objects, [&](const std::vector<ObjectState>& usable) {
+    return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, options.max_points,
+                                            RestLimits{options.rest_speed, options.rest_spin}, usable, rollout);
+  });
 }
 
 }  // namespace rigidformer

@@ -40,10 +40,17 @@ struct ObservedObject {
   std::uint64_t track = 0;  ///< Number of the track; every new track has another one
 };
 
+enum class SkipCause {
+  kNotSeen,   ///< Not when the others were
+  kUnusable,  ///< There is an objection to it (scene/objection.hpp)
+  kSurplus    ///< The model takes fewer objects
+};
+
 /// An object that is known, but cannot take part in a scene.
 struct SkippedObject {
   std::string id;
   std::string reason;
+  SkipCause cause = SkipCause::kNotSeen;
 };
 
 /// The scene at `stamp`: each object has its pose then and its pose exactly one time step earlier, ordered by id.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "rigidformer/io/members.hpp"
 
 namespace rigidformer {
@@ -77,6 +79,7 @@ void for_each_member(CorrespondenceOptions& o, const Visit& visit) {
 struct TrackingOptions {
   int min_points = 4;          ///< A cloud with fewer finite points is refused
   double sync_window_s = 0.1;  ///< [s] an object seen longer than this before the newest one is left out of the scene
+  std::optional<double> length_scale = 1.0;  ///< At which objections count (scene/objection.hpp)
   HistoryOptions history;
   CorrespondenceOptions correspondence;
 };

@@ -20,9 +20,9 @@ enum class Presence;
 
 /// What became of an observation.
 enum class AddResult {
-  kExtended,       ///< It continued its track.
-  kLowQuality,     ///< It continued its track, but the cloud fits no pose well.
-  kNewTrack,       ///< It began a track.
+  kExtended,    ///< It continued its track.
+  kLowQuality,  ///< It continued its track, but the cloud fits no pose well.
+  kNewTrack,    ///< It began a track.
   /// It began a track, because the last cloud of its object is too long ago to tell a velocity.
   kNewTrackAfterGap,
   kTimeRestarted,  ///< Its stamp lies far in the past: everything was cleared, and it began a track.
@@ -32,7 +32,8 @@ enum class AddResult {
 };
 
 /// Keeps one track per object id: a reference cloud and the poses since the track began. Stamps and arrivals of the
-/// observations are the only clocks. Not thread safe.
+/// observations are the only clocks. Objects that no model can predict are skipped in every scene and have no say in
+/// its instant, so that the others are seen as if they were not there. Not thread safe.
 class TrackStore {
  public:
   explicit TrackStore(const TrackingOptions& options);
@@ -44,6 +45,9 @@ class TrackStore {
 
   /// The newest scene that all current objects share. An empty store gives an empty scene with stamp 0.
   ObservedScene snapshot(double time_step_s) const;
+
+  /// Why this object is skipped in every scene, with what is known of it now; empty = it is not, or there is none.
+  std::optional<std::string> objection_to(const std::string& id) const;
 
   TrackRecords records() const;
 
@@ -64,6 +68,7 @@ class TrackStore {
                                           const std::vector<int>& seen_rows) const;
   double seconds_since(const Track& track, Stamp stamp) const;
   bool is_too_fast(const Track& track, Stamp stamp, const RigidTransform& T_world_object) const;
+  AddResult taken_in(Track& track, AddResult result);
   void forget_unseen();
   bool is_ordered() const { return options_.correspondence.method == Correspondence::kOrdered; }
   std::vector<Sighting> sightings() const;

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/engine/observed_hull.hpp"
 #include "rigidformer/simulation/observed_motion.hpp"
 
@@ -63,7 +65,11 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
     if (!batch.object_mask[b][k].item<bool>()) continue;
     const Tensor c = centre_reference[b][k];
     bodies_.push_back({k, batch.dynamic_mask[b][k].item<bool>(), {value(c[0]), value(c[1]), value(c[2])}, {}, false});
-    solids.push_back(observe_solid(batch, b, bodies_.back()));
+    try {
+      solids.push_back(observe_solid(batch, b, bodies_.back()));
+    } catch (const std::invalid_argument& error) {
+      throw BodyError(k, error.what());
+    }
     total_mass_kg += *solids.back().properties.mass_kg;
   }
   // Only ratios of masses matter to the motion, but the solver's tolerances are meant for masses of about 1 kg.
@@ -77,6 +83,9 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
 EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, std::int64_t b, Body& body) {
   const ObservedHull observed =
       observe_hull(seen_points(batch, b, body.object), body.centre_reference, hidden_points(batch, b, body.object));
+  if (!observed.centre_of_mass.allFinite() || !(observed.volume_m3 > 0.0)) {
+    throw std::invalid_argument("the hull of its points has no volume");
+  }
   body.centre_reference = observed.centre_of_mass;
   body.fully_known = observed.complete && (batch.properties_known[b][body.object] > 0.0).all().item<bool>();
   return {observed.hull, with_means(known_properties(batch, b, body.object), observed.volume_m3)};

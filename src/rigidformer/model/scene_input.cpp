@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/scene_input.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -17,44 +15,8 @@
 namespace rigidformer {
 namespace {
 
-constexpr std::int64_t kPointBucket = 64;  // points; padded sizes are multiples of it; by eye
-constexpr int kMinPoints = 4;              // points of an object, as ObjectState asks for
-constexpr double kMinSpread = 1e-4;        // [m] standard deviation along the second axis of a line, at most; by eye
+constexpr std::int64_t kPointBucket = 64;         // points; padded sizes are multiples of it; by eye
 constexpr std::int64_t kMaxSurfacePoints = 4096;  // points of an object that the engine gets; chosen by eye
-
-[[noreturn]] void fail(const ObjectState& object, const std::string& defect) {
-  throw std::invalid_argument("object '" + object.id + "': " + defect);
-}
-
-void check_property(const ObjectState& object, const std::optional<double>& value, const char* name, double low,
-                    double high) {
-  if (value && !(*value >= low && *value <= high)) {
-    fail(object, std::string(name) + " is " + std::to_string(*value) + ", must lie in [" + std::to_string(low) + ", " +
-                     std::to_string(high) + "]");
-  }
-}
-
-/// Whether the points lie on a line: three anchors that do not are needed to fix a rotation.
-bool is_line(const Points& points) {
-  const Eigen::MatrixX3d centred = points.cast<double>().rowwise() - points.cast<double>().colwise().mean();
-  const Eigen::Matrix3d covariance = centred.transpose() * centred / static_cast<double>(points.rows());
-  const Eigen::Vector3d variance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
-  return std::sqrt(std::max(0.0, variance[1])) < kMinSpread;
-}
-
-void validate_object(const ObjectState& object) {
-  if (object.points_reference.rows() < kMinPoints) {
-    fail(object, "has " + std::to_string(object.points_reference.rows()) + " points, at least " +
-                     std::to_string(kMinPoints) + " are needed");
-  }
-  if (!object.points_reference.allFinite()) fail(object, "points_reference holds values that are not finite");
-  if (is_line(object.points_reference)) fail(object, "points_reference lie on a line: the rotation is undefined");
-  if (!is_valid(object.T_world_previous)) fail(object, "T_world_previous is not a finite pose with a unit quaternion");
-  if (!is_valid(object.T_world_current)) fail(object, "T_world_current is not a finite pose with a unit quaternion");
-  check_property(object, object.properties.mass_kg, "mass_kg", 1e-6, 1e6);
-  check_property(object, object.properties.friction, "friction", 0.0, 1e3);
-  check_property(object, object.properties.restitution, "restitution", 0.0, 1.0);
-}
 
 void check_range(const char* field, double value, bool good, const char* bound) {
   if (!good) {
@@ -139,12 +101,7 @@ Eigen::Vector3d scene_origin(const std::vector<ObjectState>& objects, const Roll
 
 }  // namespace
 
-void validate_scene(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
-  std::set<std::string> ids;
-  for (const ObjectState& object : objects) {
-    validate_object(object);
-    if (!ids.insert(object.id).second) fail(object, "this id appears more than once");
-  }
+void validate_options(const RolloutOptions& rollout) {
   check_range("num_steps", rollout.num_steps, rollout.num_steps >= 1, "at least 1");
   check_range("time_step_s", rollout.time_step_s, std::isfinite(rollout.time_step_s) && rollout.time_step_s > 0.0,
               "positive and finite");

@@ -20,11 +20,12 @@ struct SceneInput {
   std::vector<Points> clouds;    ///< Points the network uses, farthest-point order, reference frame
 };
 
-/// Checks every object and option; throws std::invalid_argument naming the object and the field at fault.
-void validate_scene(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
+/// Checks every option; throws std::invalid_argument naming the one at fault.
+void validate_options(const RolloutOptions& rollout);
 
-/// Points are reduced to the first `max_points` in farthest-point order and padded to a multiple of 64. Unknown
-/// material parameters are marked unknown when the model can read that; otherwise MOVi's mean values stand in.
+/// Objects must be usable (scene/objection.hpp). Points are reduced to the first `max_points` in farthest-point order
+/// and padded to a multiple of 64. Unknown material parameters are marked unknown when the model can read that;
+/// otherwise MOVi's mean values stand in.
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                             const ModelOptions& model, int max_points);
 

@@ -8,6 +8,7 @@
 
 #include "rigidformer/geometry/point_rows.hpp"
 #include "rigidformer/geometry/rigid_registration.hpp"
+#include "rigidformer/scene/objection.hpp"
 #include "rigidformer/tracking/cloud_registration.hpp"
 #include "rigidformer/tracking/cloud_tracker.hpp"
 #include "rigidformer/tracking/scene_instant.hpp"
@@ -48,7 +49,10 @@ struct TrackStore::Track {
   MotionMode mode = MotionMode::kDynamic;
   BodyProperties properties;
 
+  std::optional<std::string> objection;  ///< Why it cannot be predicted, with what is known of it now
+
   bool is_static() const { return mode == MotionMode::kStatic; }
+  Points known_points() const { return tracker ? tracker->points_object() : select_rows(points_reference, rows); }
 };
 
 TrackStore::TrackStore(const TrackingOptions& options) : options_(options) {}
@@ -102,8 +106,7 @@ AddResult TrackStore::begin_track(const ObjectObservation& observation, const st
   track.poses.add(observation.stamp, T_world_object, options_.history.min_dt);
   track.arrival = arrival_of(observation);
   tracks_[observation.id] = std::make_unique<Track>(std::move(track));
-  forget_unseen();
-  return AddResult::kNewTrack;
+  return taken_in(*tracks_[observation.id], AddResult::kNewTrack);
 }
 
 AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observation,
@@ -118,8 +121,18 @@ AddResult TrackStore::extend_track(Track& track, const ObjectObservation& observ
   track.low_quality = !found->objection.empty() || found->may_have_slid;
   track.mode = observation.mode;
   track.properties = observation.properties;
+  return taken_in(track, track.low_quality ? AddResult::kLowQuality : AddResult::kExtended);
+}
+
+// Whether an object can be predicted changes with its growing reference cloud and with its properties.
+AddResult TrackStore::taken_in(Track& track, AddResult result) {
+  ObjectState state;
+  state.points_reference = track.known_points();
+  state.T_world_previous = state.T_world_current = track.poses.newest_pose();
+  state.properties = track.properties;
+  track.objection = objection(state, options_.length_scale);
   forget_unseen();
-  return track.low_quality ? AddResult::kLowQuality : AddResult::kExtended;
+  return result;
 }
 
 // Compares a cloud with the reference row by row; empty when the cloud has other rows than the reference.
@@ -173,27 +186,28 @@ double TrackStore::seconds_since(const Track& track, Stamp stamp) const {
   return std::max(seconds_between(track.poses.newest_stamp(), stamp), options_.history.min_dt);
 }
 
-// Static objects may be seen only once (a latched table): they stay until clear(). Arrivals are compared, not stamps: a
-// sensor whose clock is ahead must not make the objects of the others look old.
+// Static objects may be seen only once (a latched table): they stay until clear(), unless they are of no use anyway.
+// Arrivals are compared, not stamps: a sensor whose clock is ahead must not make the objects of the others look old.
 void TrackStore::forget_unseen() {
   Stamp newest;
   for (const auto& [id, track] : tracks_) {
     newest = std::max(newest, track->arrival);
   }
   for (auto it = tracks_.begin(); it != tracks_.end();) {
-    const bool expired =
-        !it->second->is_static() && seconds_between(it->second->arrival, newest) > options_.history.object_timeout;
+    const bool stays = it->second->is_static() && !it->second->objection;
+    const bool expired = !stays && seconds_between(it->second->arrival, newest) > options_.history.object_timeout;
     it = expired ? tracks_.erase(it) : std::next(it);
   }
 }
 
-// The newest clouds of the objects that move, or those of the static ones where nothing moves.
+// The newest clouds of the objects that move, or those of the static ones where nothing moves, or what else there is.
 std::vector<Sighting> TrackStore::sightings() const {
-  std::vector<Sighting> moving, standing;
+  std::vector<Sighting> moving, standing, unusable;
   for (const auto& [id, track] : tracks_) {
-    (track->is_static() ? standing : moving).push_back({id, track->poses.newest_stamp(), track->arrival});
+    std::vector<Sighting>& kind = track->objection ? unusable : track->is_static() ? standing : moving;
+    kind.push_back({id, track->poses.newest_stamp(), track->arrival});
   }
-  return moving.empty() ? standing : moving;
+  return !moving.empty() ? moving : !standing.empty() ? standing : unusable;
 }
 
 ObservedScene TrackStore::snapshot(double time_step_s) const {
@@ -208,7 +222,9 @@ ObservedScene TrackStore::snapshot(double time_step_s) const {
   scene.clock_remark = instant.clock_remark;
   std::size_t next = 0;
   for (const auto& [id, track] : tracks_) {
-    if (track->is_static()) {
+    if (track->objection) {
+      scene.skipped.push_back({id, *track->objection, SkipCause::kUnusable});
+    } else if (track->is_static()) {
       scene.objects.push_back(observe(id, *track, scene.stamp, time_step_s));
     } else {
       add_moving(scene, id, *track, instant.presence[next++]);
@@ -235,7 +251,7 @@ void TrackStore::add_moving(ObservedScene& scene, const std::string& id, const T
 Stamp TrackStore::newest_arrival() const {
   Stamp newest;
   for (const auto& [id, track] : tracks_) {
-    if (!track->is_static()) {
+    if (!track->is_static() && !track->objection) {
       newest = std::max(newest, track->arrival);
     }
   }
@@ -245,6 +261,11 @@ Stamp TrackStore::newest_arrival() const {
 std::optional<Stamp> TrackStore::newest_stamp_of(const std::string& id) const {
   const auto found = tracks_.find(id);
   return found == tracks_.end() ? std::nullopt : std::optional(found->second->poses.newest_stamp());
+}
+
+std::optional<std::string> TrackStore::objection_to(const std::string& id) const {
+  const auto found = tracks_.find(id);
+  return found == tracks_.end() ? std::nullopt : found->second->objection;
 }
 
 TrackRecords TrackStore::records() const {
@@ -259,8 +280,7 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, St
   ObservedObject object;
   object.state.id = id;
   object.state.mode = track.mode;
-  object.state.points_reference =
-      track.tracker ? track.tracker->points_object() : select_rows(track.points_reference, track.rows);
+  object.state.points_reference = track.known_points();
   object.state.properties = track.properties;
   object.quality = track.quality;
   object.track = track.number;

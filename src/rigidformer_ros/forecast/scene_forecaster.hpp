@@ -27,6 +27,9 @@ struct SceneRollout {
   double trusted_horizon_s = 0.0;  ///< How far ahead forecasts were good lately [s]; 0 = nowhere, or not known
 };
 
+/// Moves the objects that only the predictor found to be unusable to scene.skipped.
+void skip_unusable(SceneRollout& rollout);
+
 /// A scene whose prediction has begun, for everyone who wants steps of it. The objects stand in the same order in scene
 /// and steps.
 struct BegunRollout {
@@ -59,8 +62,12 @@ class SceneForecaster {
   RolloutSettings default_settings() const;
   void set_num_steps(int num_steps) { num_steps_ = num_steps; }
 
-  /// Begins a rollout for users who want the numbers of steps in `ends`. Objects beyond the most that the model takes
-  /// are moved to scene.skipped. Nothing is predicted before somebody wants a step.
+  /// The scene with what cannot be predicted, or is beyond the most that the model takes, moved to scene.skipped. The
+  /// model must be loaded.
+  ObservedScene usable_part(ObservedScene scene) const;
+
+  /// Begins a rollout of the usable part of the scene, as if there were nothing else, for users who want the numbers of
+  /// steps in `ends`. Nothing is predicted before somebody wants a step.
   std::shared_ptr<BegunRollout> begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
                                       std::set<int> ends, JobLane lane);
 
@@ -68,7 +75,7 @@ class SceneForecaster {
   SceneRollout roll_out(ObservedScene scene, const RolloutSettings& settings);
 
  private:
-  double length_scale(const ObservedScene& scene, const rigidformer::ModelInfo& info) const;
+  double take_usable(ObservedScene& scene, const rigidformer::ModelInfo& info) const;
 
   PredictParameters predict_;
   std::atomic<int> num_steps_;

@@ -140,10 +140,10 @@ Forecast SharedRollout::up_to(int num_steps) const {
   Forecast forecast;
   forecast.times_s = first_of(forecast_.times_s);
   for (std::size_t i = 0; i < forecast_.objects.size(); ++i) {
-    const bool diverged = diverged_at_[i] <= num_steps;
-    forecast.objects.push_back({forecast_.objects[i].id,
-                                diverged ? ObjectTrajectory::Status::kDiverged : ObjectTrajectory::Status::kOk,
-                                first_of(forecast_.objects[i].poses)});
+    const ObjectTrajectory& object = forecast_.objects[i];
+    const bool diverges_later = object.status == ObjectTrajectory::Status::kDiverged && diverged_at_[i] > num_steps;
+    forecast.objects.push_back({object.id, diverges_later ? ObjectTrajectory::Status::kOk : object.status,
+                                first_of(object.poses), object.reason});
   }
   return forecast;
 }

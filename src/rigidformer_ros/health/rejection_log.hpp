@@ -14,6 +14,8 @@ namespace rigidformer_ros {
 inline constexpr char kNoTransform[] = "no transform";
 /// The reason under which forecasts are counted that ended in an error.
 inline constexpr char kFailedForecast[] = "failed forecast";
+/// Reason of objects that cannot be predicted.
+inline constexpr char kUnusableObject[] = "unusable object";
 
 /// Counts what was rejected, and what was used but is worth a line, by reason. Safe to call from any thread.
 class RejectionLog {

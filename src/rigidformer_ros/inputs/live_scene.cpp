@@ -31,28 +31,42 @@ void LiveScene::add(const ObjectObservation& observation) {
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_arrival_ = std::max(newest_arrival_, observation.arrival);
   const auto before = tracks_.newest_stamp_of(observation.id);
-  switch (tracks_.add(observation)) {
+  const AddResult result = tracks_.add(observation);
+  if (result == AddResult::kTimeRestarted) {
+    ++epoch_;
+    ROS_INFO_STREAM("Stamps of '" << observation.id << "' jumped back: all tracks were cleared.");
+  }
+  if (!count_dropped(observation.id, result)) {
+    count_taken(observation, result, before);
+  }
+}
+
+bool LiveScene::count_dropped(const std::string& id, AddResult result) {
+  switch (result) {
     case AddResult::kLate:
-      rejections_.add("late cloud", "'" + observation.id + "': older than the newest one of its object");
+      rejections_.add("late cloud", "'" + id + "': older than the newest one of its object");
       break;
     case AddResult::kTooFewPoints:
-      rejections_.add("too few points", "'" + observation.id + "': fewer finite points than input/min_points");
+      rejections_.add("too few points", "'" + id + "': fewer finite points than input/min_points");
       break;
     case AddResult::kNoPose:
-      rejections_.add("no pose", "'" + observation.id + "': correspondence/method is pose, but no pose came with it");
-      break;
-    case AddResult::kLowQuality:
-      rejections_.note("cloud that fits no pose well", "'" + observation.id + "': forecast with status LOW_QUALITY");
-      break;
-    case AddResult::kNewTrackAfterGap:
-      rejections_.note("gap between clouds", describe_gap(observation, *before));
-      break;
-    case AddResult::kTimeRestarted:
-      ++epoch_;
-      ROS_INFO_STREAM("Stamps of '" << observation.id << "' jumped back: all tracks were cleared.");
+      rejections_.add("no pose", "'" + id + "': correspondence/method is pose, but no pose came with it");
       break;
     default:
-      break;
+      return false;
+  }
+  return true;
+}
+
+// One reason per cloud, the one that costs its object most.
+void LiveScene::count_taken(const ObjectObservation& observation, AddResult result,
+                            std::optional<rigidformer::Stamp> before) {
+  if (const auto objection = tracks_.objection_to(observation.id)) {
+    rejections_.add(kUnusableObject, "'" + observation.id + "': " + *objection);
+  } else if (result == AddResult::kLowQuality) {
+    rejections_.note("cloud that fits no pose well", "'" + observation.id + "': forecast with status LOW_QUALITY");
+  } else if (result == AddResult::kNewTrackAfterGap) {
+    rejections_.note("gap between clouds", describe_gap(observation, *before));
   }
 }
 

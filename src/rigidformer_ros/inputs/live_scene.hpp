@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "rigidformer/tracking/track_store.hpp"
@@ -50,6 +51,10 @@ class LiveScene {
   std::uint64_t epoch() const;
 
  private:
+  /// Whether the cloud was dropped.
+  bool count_dropped(const std::string& id, rigidformer::AddResult result);
+  void count_taken(const ObjectObservation& observation, rigidformer::AddResult result,
+                   std::optional<rigidformer::Stamp> before);
   std::string describe_gap(const ObjectObservation& observation, rigidformer::Stamp before) const;
 
   RejectionLog& rejections_;

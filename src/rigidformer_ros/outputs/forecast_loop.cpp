@@ -23,6 +23,27 @@ ObservedScene newest_scene(const LiveScene& live_scene, const SceneForecaster& f
   return time_step_s == wished_step_s ? scene : live_scene.snapshot(time_step_s);
 }
 
+const char* reason_of(rigidformer::SkipCause cause) {
+  switch (cause) {
+    case rigidformer::SkipCause::kUnusable:
+      return kUnusableObject;
+    case rigidformer::SkipCause::kSurplus:
+      return "object beyond the model's limit";
+    default:
+      return "object not seen with the others";
+  }
+}
+
+// Unusable ones among the first `num_known` were counted when their clouds came.
+void count_skipped(const ObservedScene& scene, std::size_t num_known, RejectionLog& rejections) {
+  for (std::size_t i = 0; i < scene.skipped.size(); ++i) {
+    const rigidformer::SkippedObject& skipped = scene.skipped[i];
+    if (i >= num_known || skipped.cause != rigidformer::SkipCause::kUnusable) {
+      rejections.add(reason_of(skipped.cause), "'" + skipped.id + "': " + skipped.reason);
+    }
+  }
+}
+
 }  // namespace
 
 // A wall timer: it also runs while a simulated clock stands still.
@@ -98,22 +119,39 @@ void ForecastLoop::forecast_newest_scene() {
   }
   report_ready_once();
   ObservedScene scene = newest_scene(context_.live_scene, context_.forecaster, parameters_.predict.time_step);
+  const std::size_t num_known = scene.skipped.size();
+  scene = context_.forecaster.usable_part(std::move(scene));
   context_.input.scene_seen(scene.objects.size(), scene.skipped.size());
   if (!scene.clock_remark.empty()) {
     context_.rejections.note("clocks that differ", scene.clock_remark);
   }
+  if (!is_new(scene)) {
+    return;
+  }
+  count_skipped(scene, num_known, context_.rejections);
+  if (!scene.objects.empty()) {
+    forecast(std::move(scene));
+  } else {
+    publisher_.clear();
+  }
+}
+
+// Whether it has not been dealt with yet; what an outdated one left behind is removed.
+bool ForecastLoop::is_new(const ObservedScene& scene) {
   // What matters is whether clouds still come: a slow segmentation delivers them late, but steadily.
-  const bool fed = context_.live_scene.is_fed(to_stamp(ros::Time::now()), parameters_.history.object_timeout);
-  if (scene.objects.empty() || !fed) {
+  if (!context_.live_scene.is_fed(to_stamp(ros::Time::now()), parameters_.history.object_timeout)) {
     publisher_.clear();
     last_size_ = 0;
-    return;
+    return false;
   }
-  if (scene.stamp == last_stamp_ && scene.objects.size() == last_size_) {
-    return;
-  }
+  const bool is_same = scene.stamp == last_stamp_ && scene.objects.size() == last_size_;
   last_stamp_ = scene.stamp;
   last_size_ = scene.objects.size();
+  return !is_same;
+}
+
+void ForecastLoop::forecast(ObservedScene scene) {
+  const std::size_t num_skipped = scene.skipped.size();
   const ForecastTimer forecast_timer(context_.timing, parameters_.diagnostics.max_processing_time);
   RolloutSettings settings = context_.forecaster.default_settings();
   settings.options.time_step_s = scene.time_step_s;
@@ -122,6 +160,7 @@ void ForecastLoop::forecast_newest_scene() {
   if (context_.live_scene.epoch() != epoch_) {
     return;  // forgotten while it was computed
   }
+  count_skipped(rollout.scene, num_skipped, context_.rejections);
   rollout.trusted_horizon_s = context_.quality.get().trusted_horizon_s;
   publisher_.publish(rollout);
   context_.input.forecast_made();

@@ -45,6 +45,8 @@ class ForecastLoop {
   void check_forecasts();
   void report_ready_once();
   void forecast_newest_scene();
+  bool is_new(const ObservedScene& scene);
+  void forecast(ObservedScene scene);
 
   Context context_;
   SharedValue<NodeParameters> tuned_;

@@ -103,7 +103,8 @@ PointLimit max_points_per_cloud(const InputParameters& input) {
 }
 
 rigidformer::TrackingOptions tracking_options(const NodeParameters& parameters) {
-  return {parameters.input.min_points, parameters.input.sync_window, parameters.history, parameters.correspondence};
+  return {parameters.input.min_points, parameters.input.sync_window, parameters.predict.length_scale,
+          parameters.history, parameters.correspondence};
 }
 
 rigidformer::BodyProperties resolve_properties(const PropertyParameters& parameters, const std::string& id,

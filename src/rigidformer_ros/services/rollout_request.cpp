@@ -85,6 +85,23 @@ std::string known_ids(const ObservedScene& scene) {
   return text;
 }
 
+// Whoever asks for an object that cannot be predicted has to change the request, whoever asks for one that is not seen
+// may ask again.
+std::int32_t code_of(rigidformer::SkipCause cause) {
+  return cause == rigidformer::SkipCause::kUnusable ? Response::INVALID_REQUEST : Response::STALE_STATE;
+}
+
+std::string reasons(const std::vector<rigidformer::SkippedObject>& skipped) {
+  constexpr std::size_t kMostTold = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(skipped.size(), kMostTold); ++i) {
+    text += (i == 0 ? "'" : "; '") + skipped[i].id + "': " + skipped[i].reason;
+  }
+  return skipped.size() > kMostTold ? text + "; and " + std::to_string(skipped.size() - kMostTold) + " more" : text;
+}
+
+}  // namespace
+
 void check_object_ids(const std::vector<std::string>& ids, const ObservedScene& scene) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -98,12 +115,14 @@ void check_object_ids(const std::vector<std::string>& ids, const ObservedScene& 
     }
     for (const rigidformer::SkippedObject& skipped : scene.skipped) {
       if (skipped.id == ids[i]) {
-        reject(Response::STALE_STATE, name + " " + skipped.reason);
+        reject(code_of(skipped.cause), name + " is left out: " + skipped.reason);
       }
     }
     reject(Response::UNKNOWN_OBJECT, name + " is not known; known: " + known_ids(scene));
   }
 }
+
+namespace {
 
 void check_age(const ObservedScene& scene, const ros::Time& now, double max_age_s) {
   const double age = rigidformer::seconds_between(scene.stamp, to_stamp(now));
@@ -171,7 +190,7 @@ ObservedScene read_given_scene(const Request& request, bool has_previous, const 
 ObservedScene read_live_scene(const Request& request, double default_time_step_s, const RequestSources& sources) {
   const rigidformer::ModelInfo model = sources.model_for(sources.live_scene(default_time_step_s));
   ObservedScene scene = sources.live_scene(read_time_step(request.time_step, default_time_step_s, model));
-  if (scene.objects.empty()) {
+  if (scene.objects.empty() && scene.skipped.empty()) {
     reject(Response::NO_OBJECTS, "no object has been observed yet");
   }
   return scene;
@@ -232,6 +251,10 @@ void check_scene(const Request& request, const RolloutTask& task, const Observed
     check_age(scene, now, read_duration(request.max_state_age, "max_state_age", parameters.service.max_state_age));
   }
   check_object_ids(request.object_ids, scene);
+  if (scene.objects.empty()) {
+    reject(is_live ? Response::NO_OBJECTS : Response::INVALID_REQUEST,
+           (is_live ? "no object can be forecast: " : "scene: no object can be forecast: ") + reasons(scene.skipped));
+  }
   if (is_live) {
     check_history(scene, request.object_ids);
   }

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/forecast/scene_forecaster.hpp"
@@ -46,6 +47,9 @@ std::string rollout_key(const PredictRollout::Request& request);
 /// The scene of that source, with the time step to predict it with.
 ObservedScene read_scene(const PredictRollout::Request& request, SceneSource source, const NodeParameters& parameters,
                          double default_time_step_s, const RequestSources& sources);
+
+/// Whether all objects that are asked for take part in the scene.
+void check_object_ids(const std::vector<std::string>& ids, const ObservedScene& scene);
 
 /// Whether this scene can answer this request.
 void check_scene(const PredictRollout::Request& request, const RolloutTask& task, const ObservedScene& scene,

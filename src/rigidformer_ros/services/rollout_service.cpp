@@ -147,6 +147,8 @@ Response RolloutService::answer_ready(const Request& request, SharedRollout::Clo
   task.settings.options.time_step_s = begun->scene.time_step_s;
   SceneRollout rollout{begun->scene, roll_out(begun->steps, task.settings, asked), begun->model,
                        /*trusted_horizon_s=*/0.0};
+  skip_unusable(rollout);
+  check_object_ids(request.object_ids, rollout.scene);  // the predictor may have found more of them
   if (task.source == SceneSource::kLive) {
     rollout.trusted_horizon_s = quality_.get().trusted_horizon_s;  // measured on the live scene
   }

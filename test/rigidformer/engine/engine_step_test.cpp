@@ -288,5 +288,17 @@ TEST(EngineStep, TheNetworkReadsAndUsesIt) {
   EXPECT_GT(largest_difference(other.departure.translation, prediction.departure.translation), 1e-4);
 }
 
+TEST(EngineStep, P36_AnObjectWithoutABodyIsNamed) {
+  Cubes cubes(3);
+  cubes.batch.points_reference[0][1] += 1e12;  // single precision has no room for a cube there
+  try {
+    cubes.engine();
+    FAIL() << "there is no such body";
+  } catch (const BodyError& error) {
+    EXPECT_EQ(error.object(), 1);
+    EXPECT_NE(std::string(error.what()), "");
+  }
+}
+
 }  // namespace
 }  // namespace rigidformer

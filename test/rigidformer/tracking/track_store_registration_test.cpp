@@ -159,7 +159,8 @@ TEST_F(RegistrationTracks, P02_degenerate_clouds_keep_the_poses_finite) {
   for (const auto& [id, points] : clouds) {
     for (int i = 0; i < 4; ++i) {
       store.add(seen(id, i * kFrame, points));
-      EXPECT_TRUE(is_valid(newest(id).state.T_world_current)) << id;
+      EXPECT_TRUE(is_valid(store.records().at(id).poses.newest_pose())) << id;
+      EXPECT_TRUE(store.objection_to(id)) << id;
     }
   }
 }

@@ -121,6 +121,60 @@ TEST_F(TrackStoreTest, StaticObjectsNeedOneCloud) {
   EXPECT_FALSE(scene.objects[1].assumed_static);
 }
 
+Points wire() {
+  Points points = Points::Zero(20, 3);
+  points.col(0).setLinSpaced(0.0F, 1.0F);
+  return points;
+}
+
+TEST_F(TrackStoreTest, P36_WhatCannotBePredictedIsSkippedWithTheReason) {
+  feed("a", Flight(), 5);
+  store.add(observe("wire", wire(), 100.0));
+  ObjectObservation feather = observe("feather", blob(), 100.0);
+  feather.properties.mass_kg = 1e-9;
+  store.add(feather);
+  const ObservedScene scene = store.snapshot(kTimeStep);
+  ASSERT_EQ(scene.objects.size(), 1U);
+  ASSERT_EQ(scene.skipped.size(), 2U);
+  for (const SkippedObject& skipped : scene.skipped) {
+    EXPECT_EQ(skipped.cause, SkipCause::kUnusable);
+    EXPECT_EQ(skipped.reason, *store.objection_to(skipped.id));
+  }
+  EXPECT_NE(scene.skipped[0].reason.find("mass_kg is 1e-09"), std::string::npos);
+  EXPECT_NE(scene.skipped[1].reason.find("line"), std::string::npos);
+  feather.properties.mass_kg = 1e-3;
+  store.add(feather);
+  EXPECT_FALSE(store.objection_to("feather")) << "what is known of it now is what counts";
+}
+
+TEST_F(TrackStoreTest, P37_WhatCannotBePredictedHasNoSayInTheTimeOfTheScene) {
+  feed("a", Flight(), 5);
+  const ObservedScene alone = store.snapshot(kTimeStep);
+  for (const double stamp : {100.05, 100.0, 103.0}) {  // behind within the window, and by a clock that is ahead
+    ObjectObservation observation = observe("wire", wire(), stamp);
+    observation.arrival = stamp_at(100.15);
+    store.add(observation);
+    const ObservedScene scene = store.snapshot(kTimeStep);
+    EXPECT_EQ(scene.stamp, alone.stamp) << stamp;
+    ASSERT_EQ(scene.objects.size(), 1U) << stamp;
+    EXPECT_EQ(scene.objects[0].state.T_world_current.translation, alone.objects[0].state.T_world_current.translation);
+    EXPECT_EQ(scene.objects[0].state.T_world_previous.translation, alone.objects[0].state.T_world_previous.translation);
+  }
+}
+
+TEST_F(TrackStoreTest, P37_AStaticObjectThatCannotBePredictedIsForgotten) {
+  ObjectObservation table = observe("table", blob(), 100.0), rail = observe("rail", wire(), 100.0);
+  table.mode = rail.mode = MotionMode::kStatic;
+  store.add(table);
+  store.add(rail);
+  feed("a", Flight(), 10);
+  EXPECT_EQ(store.snapshot(kTimeStep).skipped.size(), 1U);
+  feed("a", Flight(), 30, 100.5);
+  const ObservedScene scene = store.snapshot(kTimeStep);
+  EXPECT_TRUE(scene.skipped.empty()) << "not reported for ever";
+  EXPECT_EQ(scene.objects.size(), 2U) << "the table stays";
+}
+
 TEST_F(TrackStoreTest, LateCloudsAreDroppedAndRepeatedStampsReplace) {
   const Flight flight;
   feed("a", flight, 3);

@@ -92,5 +92,22 @@ TEST_F(LiveSceneTest, RecordsHoldThePosesOfEveryTrack) {
   EXPECT_FALSE(record.low_quality);
 }
 
+TEST_F(LiveSceneTest, P38_every_cloud_of_an_object_that_cannot_be_predicted_is_counted_once) {
+  Points wire = Points::Zero(20, 3);
+  wire.col(0).setLinSpaced(0.0F, 1.0F);
+  for (int i = 0; i < 5; ++i) {
+    add(100.0 + i / 30.0, 100.2);
+    scene.add(testing::observe("wire", wire, 100.0 + i / 30.0));
+  }
+  scene.add(testing::observe("wire", wire, 100.0));  // late: counted as that
+  EXPECT_EQ(rejected(kUnusableObject), 5U);
+  EXPECT_EQ(rejected("late cloud"), 1U);
+  EXPECT_NE(rejections.counts().at(kUnusableObject).detail.find("'wire': its points lie on a line"), std::string::npos);
+  const ObservedScene observed = scene.snapshot(0.04);
+  ASSERT_EQ(observed.objects.size(), 1U);
+  ASSERT_EQ(observed.skipped.size(), 1U);
+  EXPECT_EQ(observed.skipped[0].id, "wire");
+}
+
 }  // namespace
 }  // namespace rigidformer_ros

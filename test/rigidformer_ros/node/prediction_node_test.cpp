@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <rosgraph_msgs/Log.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -181,6 +182,65 @@ TEST_F(PredictionNodeTest, SurvivesEmptyAndMalformedClouds) {
   ASSERT_TRUE(response.success) << response.message;
   ASSERT_EQ(response.forecast.objects.size(), 1U);
   EXPECT_EQ(response.forecast.objects[0].id, "a");
+}
+
+// Twenty points in a row, one centimetre apart.
+Points wire() {
+  Points points = Points::Zero(20, 3);
+  points.col(0).setLinSpaced(0.0F, 0.19F);
+  return points;
+}
+
+TEST_F(PredictionNodeTest, P38_AnObjectThatCannotBePredictedIsSkippedAloneAndCounted) {
+  ros::NodeHandle node;
+  std::string log;
+  const ros::Subscriber log_messages = node.subscribe<rosgraph_msgs::Log>(
+      "/rosout", 100, [&](const rosgraph_msgs::Log::ConstPtr& message) { log += message->msg + '\n'; });
+  ros::Publisher& thin = client.object("thin");
+  const auto is_skipped = [&] {
+    const SceneForecast& forecast = client.last_forecast;
+    return forecast.objects.size() == 1 && forecast.objects[0].id == "a" &&
+           forecast.skipped_ids == std::vector<std::string>({"thin"}) &&
+           forecast.skip_reasons.at(0).find("line") != std::string::npos;
+  };
+  const bool was_skipped = client.wait_until([&] {
+    thin.publish(stamped_cloud(wire(), ros::Time::now()));
+    stream({{"a", high_flight()}}, 6);
+    return is_skipped();
+  });
+  EXPECT_TRUE(was_skipped);
+  EXPECT_TRUE(client.wait_until([&] { return log.find("Rejected, unusable object") != std::string::npos; })) << log;
+}
+
+TEST_F(PredictionNodeTest, P39_OnlyWhoAsksForAnUnusableObjectIsRefused) {
+  ros::Publisher& thin = client.object("thin");
+  stream({{"a", high_flight()}}, 17);
+  thin.publish(stamped_cloud(wire(), ros::Time::now()));
+  stream({{"a", high_flight()}}, 1);
+  Rollout::Request r = request();
+  r.object_ids = {"a", "thin"};
+  ASSERT_TRUE(client.wait_until([&] { return client.call(r).error_code == Response::INVALID_REQUEST; }));
+  const std::string message = client.call(r).message;
+  EXPECT_NE(message.find("object_ids[1]: 'thin'"), std::string::npos) << message;
+  EXPECT_NE(message.find("line"), std::string::npos) << message;
+  r.object_ids = {"a"};
+  EXPECT_NE(client.call(r).error_code, Response::INVALID_REQUEST);
+
+  Rollout::Request given = request();
+  given.scene = scene_at(0.0, high_flight());
+  const Response alone = client.call(given);
+  ASSERT_TRUE(alone.success) << alone.message;
+  given.scene.ids.insert(given.scene.ids.begin(), "thin");
+  given.scene.clouds.insert(given.scene.clouds.begin(), to_cloud(wire()));
+  const Response both = client.call(given);
+  ASSERT_TRUE(both.success) << both.message;
+  EXPECT_EQ(both.forecast.skipped_ids, std::vector<std::string>({"thin"}));
+  EXPECT_EQ(both.forecast.objects, alone.forecast.objects) << "the same bytes";
+  given.scene.ids.pop_back();
+  given.scene.clouds.pop_back();
+  const Response none = client.call(given);
+  EXPECT_EQ(none.error_code, Response::INVALID_REQUEST);
+  EXPECT_NE(none.message.find("'thin'"), std::string::npos) << none.message;
 }
 
 TEST_F(PredictionNodeTest, WaitsForAMissingTransform) {
