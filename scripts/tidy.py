@@ -5,7 +5,7 @@
 
 All headers of the project go through it as one translation unit, which parses ROS, Eigen and LibTorch once: seconds,
 and every type, function and member is seen. --sources checks every source as well, each of which parses them again:
-ten minutes of two cores. Needs a build made by scripts/build.sh.
+minutes. Needs a build made by scripts/build.sh.
 """
 import argparse
 import json
@@ -38,10 +38,11 @@ def include_options(commands):
 def run(command):
     """Prints every finding once and returns how many there are; an error counts as one."""
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    findings = sorted(set(re.findall(r'^/\S+:\d+:\d+: (?:warning|error): .*$', result.stdout, re.MULTILINE)))
+    output = re.sub(r'\x1b\[[0-9;]*m', '', result.stdout)  # run-clang-tidy wants colours
+    findings = sorted(set(re.findall(r'^/\S+:\d+:\d+: (?:warning|error): .*$', output, re.MULTILINE)))
     print(*findings, sep='\n', end='\n' if findings else '')
     if result.returncode != 0 and not findings:
-        print(result.stdout)
+        print(output)
     return max(len(findings), int(result.returncode != 0))
 
 
