@@ -8,8 +8,10 @@
 
 #include "peak_memory.hpp"
 #include "ratio_reporter.hpp"
+#include "rigidformer/model/threads.hpp"
 
 int main(int argc, char** argv) {
+  rigidformer::use_vector_units();
   at::set_num_threads(1);  // numbers must not depend on the neighbours of a shared machine
   if (argc == 3 && std::string(argv[1]) == "--peak-memory") {
     std::printf("%.1f\n", rigidformer::peak_memory_of(argv[2]));

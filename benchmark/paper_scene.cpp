@@ -12,8 +12,8 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kNumPoints[] = {64, 51, 1142, 64, 64, 682, 682, 647, 51, 569};
-constexpr int kNumAnchors = 4;
+constexpr int kNumPoints[] = {64, 51, 1142, 64, 64, 682, 682, 647, 51, 569};  // points per object; paper, App. F.1
+constexpr int kNumAnchors = 4;                                                // per object, as in the paper
 
 Points sphere_cloud(int count, double radius_m, std::mt19937& random) {
   std::normal_distribution<float> coordinate;
@@ -33,9 +33,9 @@ RigidTransform small_motion(std::size_t object, int step) {
 }
 
 Pose as_pose(const std::vector<RigidTransform>& transforms) {
-  const auto K = static_cast<int64_t>(transforms.size());
+  const auto K = static_cast<std::int64_t>(transforms.size());
   Pose pose{torch::zeros({1, K, 3, 3}), torch::zeros({1, K, 3})};
-  for (int64_t k = 0; k < K; ++k) {
+  for (std::int64_t k = 0; k < K; ++k) {
     const Eigen::Matrix3d R = transforms[k].rotation.toRotationMatrix();
     for (int i = 0; i < 3; ++i) {
       pose.translation[0][k][i] = transforms[k].translation[i];
@@ -78,15 +78,15 @@ std::vector<RigidTransform> moved_poses(const std::vector<ObjectState>& objects,
 }
 
 SceneBatch as_batch(const std::vector<ObjectState>& objects) {
-  const auto K = static_cast<int64_t>(objects.size());
-  int64_t N = 0;
+  const auto K = static_cast<std::int64_t>(objects.size());
+  std::int64_t N = 0;
   for (const ObjectState& object : objects) {
-    N = std::max<int64_t>(N, object.points_reference.rows());
+    N = std::max<std::int64_t>(N, object.points_reference.rows());
   }
   SceneBatch batch;
   batch.points_reference = torch::zeros({1, K, N, 3});
   batch.point_mask = torch::zeros({1, K, N}, torch::kBool);
-  for (int64_t k = 0; k < K; ++k) {
+  for (std::int64_t k = 0; k < K; ++k) {
     const Points& points = objects[k].points_reference;
     const Points ordered = points(farthest_point_order(points, static_cast<int>(points.rows())), Eigen::all);
     const auto rows = torch::from_blob(const_cast<float*>(ordered.data()), {ordered.rows(), 3});

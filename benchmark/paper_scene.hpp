@@ -9,14 +9,14 @@
 
 namespace rigidformer {
 
-/// The scene of the paper's App. F.1 in its sizes: 10 objects with 64, 51, 1142, 64, 64, 682, 682, 647, 51 and 569
-/// points (4,016), as spheres, spread over a MOVi arena, moving and spinning. The same at every call.
+/// A scene of the sizes of the paper's App. F.1: 10 objects with 64, 51, 1142, 64, 64, 682, 682, 647, 51 and 569 points
+/// (4,016), as spheres, spread over a MOVi arena, moving and spinning. It is the same at every call.
 std::vector<ObjectState> paper_scene();
 
-/// The scene's poses `step` small motions later.
+/// The scene's poses after `step` small motions.
 std::vector<RigidTransform> moved_poses(const std::vector<ObjectState>& objects, int step);
 
-/// The same scene as padded tensors, B = 1, points in farthest-point order, 4 anchors, step size 10 frames.
+/// The scene as padded tensors, B = 1, with points in farthest-point order, 4 anchors and a step size of 10 frames.
 SceneBatch as_batch(const std::vector<ObjectState>& objects);
 SceneState as_state(const std::vector<ObjectState>& objects);
 

@@ -10,10 +10,10 @@
 
 namespace rigidformer {
 
-/// Prints the usual table and, at the end, how many times faster each benchmark was than the alternative it names.
+/// Prints the usual table and, at the end, how many times faster each benchmark was than the alternative that it names.
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
-  /// `fast` and `reference` are benchmark names.
+  /// Compares two benchmarks; `fast` and `reference` are their names.
   static void compare(const std::string& fast, const std::string& reference);
 
   void ReportRuns(const std::vector<Run>& runs) override;

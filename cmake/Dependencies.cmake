@@ -1,5 +1,6 @@
-# What is found decides what is built: in a catkin workspace without LibTorch only messages and services; in a plain
-# build without LibTorch the core and the simulation; without Bullet no simulation.
+# This file looks for the libraries. What is found decides what is built. Without LibTorch, a catkin workspace gets only
+# the messages and services, and a plain build only the core and the simulation. Without Bullet there is no simulation.
+
 find_package(Torch QUIET)
 set(RIGIDFORMER_MESSAGES_ONLY OFF)
 if(NOT Torch_FOUND)
@@ -13,7 +14,7 @@ if(NOT Torch_FOUND)
                  "Install libtorch-dev or add a LibTorch folder to CMAKE_PREFIX_PATH.")
 endif()
 
-# Gloo's headers come apart from LibTorch's; without them training is one process.
+# The headers of Gloo are not always installed with those of LibTorch. Without them, training runs in one process only.
 find_path(GLOO_INCLUDE_DIR gloo/algorithm.h HINTS ${TORCH_INCLUDE_DIRS})
 set(gloo_found OFF)
 if(Torch_FOUND AND GLOO_INCLUDE_DIR)
@@ -36,7 +37,7 @@ if(NOT BULLET_FOUND)
   message(STATUS "${PROJECT_NAME}: Bullet not found. Scene generation and physics baselines are NOT built (install libbullet-dev).")
 endif()
 
-# Not its CMake package: that of Debian names a folder that need not be there.
+# The CMake package of MuJoCo is not used, because Debian's version of it names a folder that may be missing.
 find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h)
 find_library(MUJOCO_LIBRARY mujoco)
 set(MUJOCO_FOUND OFF)
@@ -47,7 +48,7 @@ else()
                  "libmujoco-dev).")
 endif()
 
-# For the convex parts of a cloud: Delaunay tetrahedra and HACD (part of Bullet's extras).
+# Qhull (Delaunay tetrahedra) and HACD (from Bullet's extras) cut a cloud into convex parts for one of the baselines.
 find_path(QHULL_INCLUDE_DIR libqhull_r/qhull_ra.h)
 find_library(QHULL_LIBRARY qhull_r)
 find_path(HACD_INCLUDE_DIR HACD/hacdHACD.h PATH_SUFFIXES bullet)
@@ -60,9 +61,10 @@ else()
                  "libqhull-dev and libbullet-extras-dev).")
 endif()
 
-# For the example that segments the clouds of a bare depth camera, and for the benchmark of the registration.
+# PCL serves the example that segments the clouds of a bare depth camera, and the benchmark of the registration.
 if(RIGIDFORMER_ROS)
-  enable_language(C)  # VTK, which PCL looks for, wants MPI's C library; catkin_make's workspace has C enabled already
+  # PCL looks for VTK, which wants the C library of MPI. The workspace of catkin_make has enabled C already.
+  enable_language(C)
   find_package(PCL QUIET COMPONENTS common kdtree octree registration search sample_consensus segmentation)
   if(NOT PCL_FOUND)
     message(STATUS "${PROJECT_NAME}: PCL not found. The example `segment_cloud` is NOT built (install libpcl-dev).")

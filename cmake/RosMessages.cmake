@@ -1,11 +1,16 @@
-# Messages and services. They need no LibTorch, so that a planner can compile against them on any ROS machine.
+# This file declares the catkin package, its messages and its services. Messages and services need no LibTorch, so that
+# a planner can compile against them on any machine with ROS.
+
 if(RIGIDFORMER_MESSAGES_ONLY)
   set(ros_packages geometry_msgs sensor_msgs std_msgs)
 else()
   set(ros_packages diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib roscpp
       rosbag_storage rosgraph_msgs roslib sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros visualization_msgs)
-  # What other packages may link; LibTorch and Bullet stay inside these libraries.
-  set(exported_libraries rigidformer rigidformer_core)
+  # Other packages may link these libraries. LibTorch and Bullet stay inside them.
+  set(exported_libraries rigidformer_ros_node rigidformer rigidformer_core)
+  if(BULLET_FOUND)
+    list(APPEND exported_libraries rigidformer_simulation)
+  endif()
   set(exported_folders include)
   set(exported_systems EIGEN3)
 endif()
@@ -16,9 +21,6 @@ file(GLOB service_files RELATIVE ${PROJECT_SOURCE_DIR}/srv CONFIGURE_DEPENDS ${P
 add_message_files(DIRECTORY msg FILES ${message_files})
 add_service_files(DIRECTORY srv FILES ${service_files})
 generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs)
-if(NOT RIGIDFORMER_MESSAGES_ONLY)
-  generate_dynamic_reconfigure_options(cfg/Diagnostics.cfg cfg/Display.cfg cfg/Predict.cfg)
-endif()
 
 catkin_package(
   INCLUDE_DIRS ${exported_folders}

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A cloud of points and two poses in, the future out: a cube of 1 m is dropped from 3 m while it drifts at 1 m/s.
+// This example predicts the future of a cloud of points from two poses: a cube of 1 m falls from a height of 3 m while
+// it drifts at 1 m/s.
 #include <cmath>
 #include <cstdio>
 
@@ -14,12 +15,12 @@ int main() try {
 
   rigidformer::ObjectState cube;
   cube.id = "cube";
-  cube.points_reference = 0.5F * rigidformer::Points::Random(240, 3);  // [m], then pushed out to the six faces
+  cube.points_reference = 0.5F * rigidformer::Points::Random(240, 3);  // [m]; moved to the six faces below
   for (int i = 0; i < 240; ++i) cube.points_reference(i, i % 3) = i % 2 == 0 ? 0.5F : -0.5F;
   cube.T_world_previous.translation = {0.0, 0.0, 3.0};
-  cube.T_world_current.translation = {1.0 / 24.0, 0.0, 3.0};  // one time step of 1/24 s later
+  cube.T_world_current.translation = {1.0 / 24.0, 0.0, 3.0};  // This pose is one time step of 1/24 s later.
 
-  rigidformer::RolloutOptions rollout;  // gravity -10 m/s^2, ground at z = 0
+  rigidformer::RolloutOptions rollout;  // The defaults are a gravity of -10 m/s^2 and a ground at z = 0.
   rollout.time_step_s = 1.0 / 24.0;
   rollout.num_steps = 24;
   const rigidformer::Forecast forecast = predictor.predict({cube}, rollout);
@@ -28,7 +29,8 @@ int main() try {
     std::printf("after %.2f s: x %6.3f  y %6.3f  z %6.3f m\n", k / 24.0, position(k).x(), position(k).y(),
                 position(k).z());
   }
-  const double fallen = 0.5 * 10.0 * (12.0 * 13.0) / (24.0 * 24.0);  // [m] free fall in 12 steps, floor not yet reached
+  // [m] the free fall of 12 steps, in which the cube does not reach the floor.
+  const double fallen = 0.5 * 10.0 * (12.0 * 13.0) / (24.0 * 24.0);
   const bool plausible = std::abs(position(0).z() - position(12).z() - fallen) < 0.05 && position(24).z() > 0.25;
   return plausible ? 0 : 1;
 } catch (const std::exception& error) {

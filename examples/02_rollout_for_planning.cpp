@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How hard to throw? Rolls out several throws of the same box past a ball that lies about, and picks the one after
-// which the box comes to rest nearest to a goal.
+// This example plans a throw. It rolls out several throws of the same box past a ball, each with another speed, and
+// picks the throw after which the box comes to rest nearest to a goal.
 #include <algorithm>
 #include <cstdio>
 #include <vector>
@@ -13,12 +13,16 @@ namespace {
 
 using namespace rigidformer;
 
-constexpr double kTimeStep = 10.0 / 240.0;  // [s]
-constexpr int kNumSteps = 72;               // 3 s
-constexpr double kRestSpeed = 0.1;          // [m/s] slower than this until the end counts as resting
+// [s]. The longest time step that the shipped model was trained on.
+constexpr double kTimeStep = 10.0 / 240.0;
+// Steps of a rollout: 3 s, chosen by eye so that the box comes to rest.
+constexpr int kNumSteps = 72;
+// [m/s]. A box that stays slower than this until the end is at rest; chosen by eye.
+constexpr double kRestSpeed = 0.1;
+// [m]. Where the box should come to rest; chosen by eye.
 const Eigen::Vector3d kGoal(2.0, 0.0, 0.0);
 
-/// Points on the six faces of a box with the given edges [m].
+/// Makes points on the six faces of a box with the given edges [m].
 Points box_points(const Eigen::RowVector3f& edges) {
   Points points = Points::Random(240, 3);
   for (int i = 0; i < 240; ++i) points(i, i % 3) = i % 2 == 0 ? 1.0F : -1.0F;
@@ -27,7 +31,7 @@ Points box_points(const Eigen::RowVector3f& edges) {
 
 Points ball_points(float radius_m) { return radius_m * Points::Random(240, 3).rowwise().normalized(); }
 
-/// Where a body with velocity v [m/s] at `now` was one time step earlier, in free flight: x - v dt + g dt^2 / 2.
+/// The pose that a body in free flight with velocity v [m/s] at `now` had one time step earlier: x - v dt + g dt^2 / 2.
 RigidTransform one_step_before(const RigidTransform& now, const Eigen::Vector3d& v) {
   const Eigen::Vector3d g(0.0, 0.0, -10.0);
   return {now.rotation, now.translation - v * kTimeStep + 0.5 * g * kTimeStep * kTimeStep};
@@ -37,17 +41,17 @@ std::vector<ObjectState> thrown_scene(const Eigen::Vector3d& velocity) {
   ObjectState box, ball;
   box.id = "box";
   box.points_reference = box_points({1.0F, 0.8F, 0.6F});
-  box.properties = {1.0, 0.6, 0.4};  // mass [kg], friction, restitution
+  box.properties = {1.0, 0.6, 0.4};  // These are mass [kg], friction and restitution.
   box.T_world_current.translation = {-3.0, 0.0, 1.2};
   box.T_world_previous = one_step_before(box.T_world_current, velocity);
   ball.id = "ball";
-  ball.points_reference = ball_points(0.4F);  // what it is made of is not known: properties stay empty
+  ball.points_reference = ball_points(0.4F);  // Its material is not known, so its properties stay empty.
   ball.T_world_current.translation = {0.0, 2.0, 0.4};
   ball.T_world_previous = ball.T_world_current;
   return {box, ball};
 }
 
-/// First step from which on the object stays slower than kRestSpeed; the last one when it never does.
+/// The first step from which the object stays slower than kRestSpeed, or the last step when there is none.
 size_t rest_step(const std::vector<RigidTransform>& poses) {
   size_t k = poses.size() - 1;
   const auto speed = [&](size_t i) { return (poses[i].translation - poses[i - 1].translation).norm() / kTimeStep; };
@@ -80,10 +84,10 @@ int main() try {
       best_speed = speed;
     }
     reached.push_back(end.x());
-    if (end.z() < 0.1 || end.z() > 1.2) return 1;  // sunk into the floor, or still in the air after three seconds
+    if (end.z() < 0.1 || end.z() > 1.2) return 1;  // The box sank into the floor, or is still in the air.
   }
   std::printf("chosen: %.1f m/s, %.2f m from the goal\n", best_speed, best_distance);
-  return reached.back() > reached.front() + 1.0 ? 0 : 1;  // a faster throw must carry farther
+  return reached.back() > reached.front() + 1.0 ? 0 : 1;  // A faster throw must carry the box farther.
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The whole learning half in seconds on a CPU: simulate scenes, train the tiny network, score it. The command-line
-// tools do the same:
+// This example shows the whole learning half in seconds on a CPU: it simulates scenes, trains the tiny network and
+// scores it. The command-line tools do the same:
 //   generate_scenes --set movi_a --scenes 12 --seed 7 --out DIR/scenes
 //   train --config config/train/tiny.yaml --data DIR/scenes --out DIR/run
 //   evaluate --model DIR/run/model.safetensors --data DIR/scenes --starts 120 --steps 10 --horizons 50,100
-// The network has seen a few hundred windows only: expect it to be poor.
+// The network sees only a few hundred windows, so its score is poor.
 #include <filesystem>
 #include <iostream>
 
@@ -67,7 +67,7 @@ int main(int argc, char** argv) try {
   print_scores(std::cout, scores);
   std::cout << "everything lies in " << folder << '\n';
   for (const Score& entry : scores) {
-    // Scenes fit into a box of 10 m: a rollout that leaves it has exploded.
+    // Scenes fit into a box of 10 m, so a larger error means that a rollout has exploded.
     if (!(entry.error.position_rmse_m < 10.0)) return 1;
   }
   return scores.empty() ? 1 : 0;

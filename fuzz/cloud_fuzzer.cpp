@@ -4,13 +4,13 @@
 
 #include <stdexcept>
 
-#include "rigidformer_ros/cloud_conversion.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 
 namespace {
 
-constexpr std::uint64_t kMaxPoints = 4096;
+constexpr std::uint64_t kMaxPoints = 4096;  // points of a cloud, so that every run is short; chosen by eye
 
-// Mostly the numbers that real messages hold: random ones alone would hardly ever fit each other.
+// Draws mostly the numbers that real messages hold: random ones alone would hardly ever fit each other.
 std::uint32_t count(FuzzedDataProvider& bytes) {
   return bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<std::uint32_t>(0, 64)
                              : bytes.ConsumeIntegral<std::uint32_t>();
@@ -39,7 +39,7 @@ sensor_msgs::PointCloud2 make_cloud(FuzzedDataProvider& bytes) {
 
 }  // namespace
 
-/// Every accepted cloud gives one row per point, finite or NaN as a whole.
+/// Checks that every accepted cloud gives one row per point, finite or NaN as a whole.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedDataProvider bytes(data, size);
   const sensor_msgs::PointCloud2 cloud = make_cloud(bytes);

@@ -6,7 +6,8 @@
 #include "rigidformer/data/kubasic.hpp"
 #include "scratch_file.hpp"
 
-/// The first zero byte ends the geometry; the rest is data.json. Every accepted part is made of its own vertices.
+/// Reads the bytes as a shape: the first zero byte ends the geometry, and the rest is data.json. Checks that every
+/// accepted part is made of its own vertices.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ScratchFolder folder;
   const std::uint8_t* zero = std::find(data, data + size, 0);

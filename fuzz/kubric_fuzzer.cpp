@@ -5,7 +5,7 @@
 #include "rigidformer/data/kubric.hpp"
 #include "scratch_file.hpp"
 
-/// Every accepted scene has a valid pose per object and frame.
+/// Reads the bytes as a scene and checks that every accepted one has a valid pose per object and frame.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ScratchFolder folder;
   const std::filesystem::path path = folder.write("metadata.json", data, size);

@@ -3,10 +3,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "rigidformer_ros/parameters.hpp"
+#include "rigidformer_ros/parameters/parameters.hpp"
 #include "rigidformer_ros/yaml_tree.hpp"
 
-/// Text to YAML to the tree that the parameter server would hand out: accepted, or refused with an explanation.
+/// Turns text into YAML and into the tree that the parameter server would hand out: it must be accepted,
+/// or refused with an explanation.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   XmlRpc::XmlRpcValue tree;
   try {

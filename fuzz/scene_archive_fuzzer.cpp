@@ -6,7 +6,7 @@
 #include "scratch_file.hpp"
 #include "sealed_file.hpp"
 
-/// Every accepted archive has valid poses for all frames, of shapes that it holds.
+/// Checks that every accepted archive has valid poses for all frames, of shapes that it holds.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ScratchFolder folder;
   const std::string file = sealed_file(std::string(reinterpret_cast<const char*>(data), size));

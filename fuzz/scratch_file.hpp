@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-/// A folder in memory for readers that take paths; removed when the program ends normally.
+/// A folder in memory for readers that take paths; it is removed when the program ends normally.
 class ScratchFolder {
  public:
   ScratchFolder() : path_("/dev/shm/rigidformer_fuzz_" + std::to_string(::getpid())) {
@@ -22,7 +22,7 @@ class ScratchFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Replaces the content of the file `name`; its path.
+  /// Replaces the content of the file `name` and returns its path.
   std::filesystem::path write(const std::string& name, const std::uint8_t* data, std::size_t size) const {
     std::ofstream(path_ / name, std::ios::binary | std::ios::trunc)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));

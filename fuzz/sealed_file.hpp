@@ -11,8 +11,8 @@
 #include "rigidformer/io/sha256.hpp"
 #include "rigidformer/io/text_file.hpp"
 
-/// A tensor file with the header `text` and its right SHA-256, so that the fuzzer gets past the hash, which it could
-/// never guess. A header that is no JSON object is taken as it is. The first zero byte of `bytes` ends the header.
+/// Makes a tensor file of `bytes`, whose first zero byte ends the header, with the right SHA-256, so that the fuzzer
+/// gets past the hash, which it could never guess. A header that is no JSON object is taken as it is.
 inline std::string sealed_file(const std::string& bytes) {
   using Json = nlohmann::ordered_json;
   const std::size_t zero = std::min(bytes.find('\0'), bytes.size());

@@ -31,8 +31,8 @@ void read(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace
 
-/// The bytes as a file, and the bytes as header and data of a file with the right hash. Every accepted tensor has the
-/// bytes that its shape asks for.
+/// Reads the bytes as a file, and as header and data of a file with the right hash. Checks that every accepted tensor
+/// has the bytes that its shape asks for.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > 0 && data[0] != '{') {
     read(data, size);

@@ -88,4 +88,5 @@ cmake_config nlohmann_json nlohmann_json::nlohmann_json "$(version_of nlohmann-j
 cmake_config CLI11 CLI11::CLI11 "$(version_of libcli11-dev)" include
 cmake_config nanoflann nanoflann::nanoflann "$(version_of libnanoflann-dev)" include
 cmake_config yaml-cpp yaml-cpp "$(version_of libyaml-cpp-dev)" include libyaml-cpp.a
-echo "$bundle: $(du -sm --apparent-size "$bundle" | cut -f1) MB. Configure with -DCMAKE_PREFIX_PATH=\"$bundle;<LibTorch prefix>\""
+echo "$bundle: $(du -sm --apparent-size "$bundle" | cut -f1) MB." \
+  "Configure with -DCMAKE_PREFIX_PATH=\"$bundle;<LibTorch prefix>\""

@@ -30,39 +30,14 @@ done
 for program in generate_scenes train evaluate model_info; do
   "$1/lib/rigidformer_ros/$program" --help >/dev/null
 done
-[ "$(rospack plugins --attrib=plugin nodelet | awk '$1 == "rigidformer_ros" {print $2}')" = "$share/config/nodelet_plugins.xml" ] ||
+plugins=$(rospack plugins --attrib=plugin nodelet | awk '$1 == "rigidformer_ros" {print $2}')
+[ "$plugins" = "$share/config/nodelet_plugins.xml" ] ||
   { echo "the nodelet is not exported"; exit 1; }
 if ldd "$1/lib/librigidformer_ros_nodelet.so" | grep 'not found'; then exit 1; fi
-for program in prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud tracking_accuracy; do
+for program in prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud \
+  tracking_accuracy; do
   if ldd "$1/lib/rigidformer_ros/$program" | grep 'not found'; then exit 1; fi
 done
 
-# A package that uses the libraries must compile and link with what is exported, without a header of LibTorch.
-consumer=$(mktemp -d)
-trap 'rm -rf "$consumer"' EXIT
-cat >"$consumer/CMakeLists.txt" <<'CMAKE'
-cmake_minimum_required(VERSION 3.16)
-project(consumer LANGUAGES CXX)
-set(CMAKE_CXX_STANDARD 17)
-find_package(rigidformer_ros REQUIRED)
-add_executable(consumer main.cpp)
-target_include_directories(consumer PRIVATE ${rigidformer_ros_INCLUDE_DIRS})
-target_link_libraries(consumer ${rigidformer_ros_LIBRARIES})
-CMAKE
-cat >"$consumer/main.cpp" <<'CPP'
-#include <rigidformer/predictor.hpp>
-#include <rigidformer_ros/PredictRollout.h>
-#ifdef TORCH_VERSION
-#error "a header of LibTorch came along"
-#endif
-int main(int argc, char** argv) {
-  rigidformer_ros::PredictRollout service;
-  rigidformer::PredictorOptions options;
-  options.file = argv[0];
-  return argc > 1 ? rigidformer::Predictor(options).info().max_objects + service.request.num_steps : 0;
-}
-CPP
-cmake -S "$consumer" -B "$consumer/build" -DPYTHON_EXECUTABLE=/usr/bin/python3
-cmake --build "$consumer/build"
-if grep -i torch "$consumer/build/CMakeFiles/consumer.dir/flags.make"; then exit 1; fi
-"$consumer/build/consumer"
+"$root/scripts/check_public_api.sh" catkin "$1"
+"$root/scripts/check_public_api.sh" plain "$1"

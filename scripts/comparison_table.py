@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints JSON files of `evaluate`, each of one model, as one Markdown table with a row per file and step size and a column
-per set, start and horizon: position (m) / orientation (deg)."""
+"""Prints JSON files of `evaluate`, each of one model, as one Markdown table. It has a row per file and step size and a
+column per set, start and horizon. Cells are position (m) / orientation (deg)."""
 import json
 import sys
 

@@ -44,7 +44,8 @@ for test in "${tests[@]}"; do
 done
 find "$report" -maxdepth 1 -name '*.html' -delete
 gcovr --root "$root" --object-directory "$build" --filter "$root/src/" --gcov-ignore-parse-errors \
-  --html-details "$report/index.html" --html-title "rigidformer_ros: ${tests[*]}" --json-summary "$report/summary.json" \
+  --html-details "$report/index.html" --html-title "rigidformer_ros: ${tests[*]}" \
+  --json-summary "$report/summary.json" \
   >"$report/gcovr.log" 2>&1 || { cat "$report/gcovr.log" >&2; exit 1; }
 /usr/bin/python3 - "$report/summary.json" <<'PYTHON'
 import json

@@ -45,8 +45,8 @@ for set_and_seed in movi_sphere:13 movi_a:12 movi_b:11; do
   if [ ! -e "$folder/scores.json" ]; then
     echo "cross-set: trained on $set" >&2
     "$tools/train" --config "$root/config/train/cross_set.yaml" --data "$out/train/$set" --out "$folder"
-    "$tools/evaluate" --model "$folder/model.safetensors" "${test_data[@]}" --points vertices --starts 0 --steps 1,5,10 \
-      --horizons 75,100 --baselines none --json "$folder/scores.json" >&2
+    "$tools/evaluate" --model "$folder/model.safetensors" "${test_data[@]}" --points vertices --starts 0 \
+      --steps 1,5,10 --horizons 75,100 --baselines none --json "$folder/scores.json" >&2
   fi
   results+=("trained_on_$set=$folder/scores.json")
 done

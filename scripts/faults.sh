@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What happens to the running node when things around it break. Prints one line per fault; needs root for the full disk.
+# Shows what happens to the running node when things around it break. Prints one line per fault. Needs root for the full
+# disk.
 #   scripts/faults.sh [--workspace DIR] [FAULT ...]
-# FAULTS: node_killed publisher_killed master_killed interrupt_idle interrupt_loading interrupt_rollout interrupt_anytime
-#         disk_full ports
+# FAULTS: node_killed publisher_killed master_killed interrupt_idle interrupt_loading interrupt_rollout
+#         interrupt_anytime disk_full ports
 # The faults are called by name.
 # shellcheck disable=SC2317
 set -uo pipefail
@@ -18,7 +19,8 @@ faults=("$@")
   interrupt_rollout interrupt_anytime disk_full ports)
 
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
-export PATH=/usr/bin:/bin:$PATH ROS_HOSTNAME=localhost ROS_HOME=$workspace/ros_home ROS_MASTER_URI=http://localhost:$port
+export PATH=/usr/bin:/bin:$PATH ROS_HOSTNAME=localhost
+export ROS_HOME=$workspace/ros_home ROS_MASTER_URI=http://localhost:$port
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 OMP_WAIT_POLICY=passive
 set +u
 # shellcheck disable=SC1091
@@ -31,8 +33,8 @@ master=
 node=
 publisher=
 
-# A shell has its background processes ignore SIGINT, roslaunch does not. The node starts as under roslaunch: until roscpp sets
-# a handler, an ignored interrupt would be lost.
+# A shell makes its background processes ignore SIGINT, roslaunch does not. The node starts as under roslaunch: until
+# roscpp sets a handler, an ignored interrupt would be lost.
 start_master() { rosmaster --core -p "$port" >"$logs/master.log" 2>&1 & master=$!; wait_for 20 rosparam list; }
 start_node() { env --default-signal=INT "$programs/prediction_node" "$@" >"$logs/node.log" 2>&1 & node=$!; }
 start_publisher() { "$programs/demo_publisher" >"$logs/publisher.log" 2>&1 & publisher=$!; }
@@ -77,7 +79,11 @@ interrupt() {
   wait_for 20 is_gone "$1"
   awk -v from="$start" -v to="$(date +%s%N)" 'BEGIN {printf "%.1f", (to - from) / 1e9}'
 }
-ends_in_time() { awk -v s="$1" 'BEGIN {exit !(s < 2.0)}' && echo "ended after $1 s" && return; echo "took $1 s"; return 1; }
+ends_in_time() {
+  awk -v s="$1" 'BEGIN {exit !(s < 2.0)}' && echo "ended after $1 s" && return
+  echo "took $1 s"
+  return 1
+}
 
 node_killed() {
   start_all || { echo "no forecast to begin with"; return 1; }
@@ -140,8 +146,8 @@ interrupt_rollout() {
   ends_in_time "$seconds" | sed 's/$/ with three rollouts under way/'
 }
 
-# Sixty starts, each interrupted after 0 to 5 s: before ROS runs, while the model is loaded, idle, in a rollout. A process that
-# has no handler yet ends with 128 + SIGINT.
+# Sixty starts are interrupted after 0 to 5 s each: before ROS runs, while the model is loaded, idle, in a rollout. A
+# process that has no handler yet ends with 128 + SIGINT.
 interrupt_anytime() {
   local count=60 slowest=0 delay seconds code
   start_master && start_publisher || return 1
@@ -161,7 +167,8 @@ interrupt_anytime() {
   done
   sleep 1
   [ "$(num_cut_off)" -gt 0 ] || { echo "no rollout was under way"; return 1; }
-  echo "$count interrupts within 5 s after the start, $(num_cut_off) of them in a rollout, no crash; the slowest took $slowest s"
+  echo "$count interrupts within 5 s after the start, $(num_cut_off) of them in a rollout, no crash;" \
+    "the slowest took $slowest s"
 }
 
 # On a disk of 64 KiB: the writers of scenes and of bags say so and leave nothing that could be taken for a whole file.
@@ -169,14 +176,16 @@ disk_full() {
   local disk=$logs/disk left
   mkdir -p "$disk"
   mount -t tmpfs -o size=64k tmpfs "$disk" || return 1
-  "$programs/generate_scenes" --set movi_b --scenes 2 --seed 1 --out "$disk/scenes" 2>&1 | tr '\r' '\n' >"$logs/scenes.log"
+  "$programs/generate_scenes" --set movi_b --scenes 2 --seed 1 --out "$disk/scenes" 2>&1 |
+    tr '\r' '\n' >"$logs/scenes.log"
   local scenes=${PIPESTATUS[0]}
   "$programs/record_depth_camera" "$disk/scene.bag" --duration 1 >"$logs/bag.log" 2>&1
   local bag=$?
   left=$(find "$disk" -name "*.safetensors*" -o -name "*.bag*")
   umount "$disk"
   [ "$scenes" -eq 1 ] && [ "$bag" -eq 1 ] && [ -z "$left" ] && grep -q 'No space left' "$logs/scenes.log" &&
-    grep -q 'cannot write' "$logs/bag.log" && echo "generate_scenes and record_depth_camera say so, end with code 1, leave no file"
+    grep -q 'cannot write' "$logs/bag.log" &&
+    echo "generate_scenes and record_depth_camera say so, end with code 1, leave no file"
 }
 
 # The sockets of roscpp: of TCP one for calls by the master and other nodes, one for topics and services; of UDP one for

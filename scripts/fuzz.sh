@@ -5,8 +5,9 @@
 # Feeds damaged input to everything that reads bytes from outside, with libFuzzer, AddressSanitizer and
 # UndefinedBehaviorSanitizer. Needs clang-14 and libclang-rt-14-dev.
 #   scripts/fuzz.sh [--seconds N] [--target NAME] [--keep]
-# Each target (fuzz/NAME_fuzzer.cpp) starts from fuzz/corpus/NAME and runs for N seconds (default 60). A finding ends the
-# script and stays in build/fuzz/findings. --keep adds what was new to the kept corpus, as few files as reach the same code.
+# Each target (fuzz/NAME_fuzzer.cpp) starts from fuzz/corpus/NAME and runs for N seconds (default 60). A finding ends
+# the script and stays in build/fuzz/findings. --keep adds what was new to the kept corpus, in as few files as reach
+# the same code.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Ten objects of 4016 points at 30 Hz and eight planners that call predict_rollout without a pause, with the shipped model.
+# Loads the node with the shipped model: ten objects of 4016 points each at 30 Hz, and eight planners that call
+# predict_rollout without a pause.
 #   scripts/load.sh [--seconds N] [--steps N] [--workspace DIR]
 # The last line is the result: frames, forecasts, and waiting times of the planners.
 set -euo pipefail

@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Which parts of the recipe help, at equal compute: trains config/train/recipe.yaml and variants of it that differ in one
-# thing, each for as many unrolled steps, and the recipe with more and less compute and data; scores all on validation
-# scenes and prints a Markdown table. Five minutes of one core per variant; what is finished is not done again.
+# Shows which parts of the recipe help, at equal compute. Trains config/train/recipe.yaml and variants of it that differ
+# in one thing, each for as many unrolled steps, and the recipe with more and less compute and data. Scores all on
+# validation scenes and prints a Markdown table. A variant takes five minutes of one core; what is finished is not done
+# again.
 #   scripts/recipe.sh --data DIR... --validation DIR... [--out DIR] [--iterations N] [--workspace DIR]
 set -euo pipefail
 

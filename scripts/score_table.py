@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints the JSON files of `evaluate` as Markdown tables: one per file and step size, position (m) / orientation (deg)."""
+"""Prints the JSON files of `evaluate` as Markdown tables, one per file and step size. Cells are position (m) /
+orientation (deg)."""
 import json
 import sys
 

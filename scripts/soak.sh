@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Random clouds through the node for a long time: objects that appear, change and vanish, nonsense, a clock that restarts.
+# Sends random clouds through the node for a long time: objects that appear, change and vanish, nonsense, a clock that
+# restarts.
 #   scripts/soak.sh [--clouds N] [--model] [--workspace DIR]
 # Default: 100000 clouds and a predictor of known physics. --model: the shipped model, one step per forecast.
 # The last line is the result: waiting times from cloud to forecast, and memory.

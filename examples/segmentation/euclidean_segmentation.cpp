@@ -19,11 +19,15 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+// Fewest points that define a plane.
 constexpr std::size_t kMinPlanePoints = 3;
+// Most points among which the plane is searched, to bound the time of the search; chosen by eye.
 constexpr std::size_t kMaxPlanePoints = 20000;
-constexpr double kVoxelShare = 0.25;  // of the cluster tolerance
+// Size of a voxel as a share of the cluster tolerance; chosen by eye. The tolerance is exact to about one voxel.
+constexpr double kVoxelShare = 0.25;
 
-// PCL's search trees must not meet a point that is not finite. The noise of far points leaves the plane of the ground.
+// Lists the rows of the points that can be segmented. PCL's search trees cannot take a point that is not finite, and
+// far points are so noisy that points of the ground leave its plane.
 std::vector<int> usable_rows(const rigidformer::Points& points, double max_range) {
   std::vector<int> rows;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -38,7 +42,7 @@ pcl::PointXYZ to_pcl(const rigidformer::Points& points, int row) {
   return {points(row, 0), points(row, 1), points(row, 2)};
 }
 
-// Every n-th of the rows: enough to find a plane.
+// Takes every n-th of the rows, which are enough to find a plane.
 Cloud::Ptr make_plane_cloud(const rigidformer::Points& points, const std::vector<int>& rows) {
   const Cloud::Ptr cloud(new Cloud);
   const std::size_t stride = rows.size() / kMaxPlanePoints + 1;
@@ -48,7 +52,7 @@ Cloud::Ptr make_plane_cloud(const rigidformer::Points& points, const std::vector
   return cloud;
 }
 
-// The rows that do not lie on the largest plane.
+// Lists the rows of the points that do not lie on the largest plane.
 std::vector<int> without_ground(const rigidformer::Points& points, const std::vector<int>& rows,
                                 const SegmentationOptions& options) {
   const Cloud::Ptr cloud = make_plane_cloud(points, rows);
@@ -76,8 +80,8 @@ std::vector<int> without_ground(const rigidformer::Points& points, const std::ve
   return rest;
 }
 
-// The rows that fall into each of the occupied voxels: the search for neighbours grows with the square of their
-// density, so that it must not see every pixel.
+// Lists the rows of the points in each occupied voxel. The clusters are made of voxels and not of points, because the
+// time to search neighbours grows with the square of their density: a whole depth image would take seconds.
 std::vector<std::vector<int>> group_by_voxel(const rigidformer::Points& points, const std::vector<int>& rows,
                                              double voxel_size) {
   const Cloud::Ptr cloud(new Cloud);
@@ -97,15 +101,15 @@ std::vector<std::vector<int>> group_by_voxel(const rigidformer::Points& points, 
   return voxels;
 }
 
-Cloud::Ptr make_center_cloud(const rigidformer::Points& points, const std::vector<std::vector<int>>& voxels) {
+Cloud::Ptr make_centre_cloud(const rigidformer::Points& points, const std::vector<std::vector<int>>& voxels) {
   const Cloud::Ptr cloud(new Cloud);
   for (const std::vector<int>& voxel : voxels) {
     Eigen::RowVector3f sum = Eigen::RowVector3f::Zero();
     for (const int row : voxel) {
       sum += points.row(row);
     }
-    const Eigen::RowVector3f center = sum / static_cast<float>(voxel.size());
-    cloud->push_back({center.x(), center.y(), center.z()});
+    const Eigen::RowVector3f centre = sum / static_cast<float>(voxel.size());
+    cloud->push_back({centre.x(), centre.y(), centre.z()});
   }
   return cloud;
 }
@@ -118,13 +122,13 @@ std::vector<std::vector<int>> find_objects(const rigidformer::Points& points, co
     return {};
   }
   const auto voxels = group_by_voxel(points, rows, kVoxelShare * options.cluster_tolerance);
-  const Cloud::Ptr centers = make_center_cloud(points, voxels);
+  const Cloud::Ptr centres = make_centre_cloud(points, voxels);
   const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
-  tree->setInputCloud(centers);
+  tree->setInputCloud(centres);
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
   extraction.setClusterTolerance(options.cluster_tolerance);
   extraction.setSearchMethod(tree);
-  extraction.setInputCloud(centers);
+  extraction.setInputCloud(centres);
   std::vector<pcl::PointIndices> clusters;
   extraction.extract(clusters);
   std::vector<std::vector<int>> objects;

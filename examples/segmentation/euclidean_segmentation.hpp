@@ -8,13 +8,14 @@
 
 /// What counts as the ground and as an object. The defaults suit objects of 5 to 10 cm seen from less than a metre.
 struct SegmentationOptions {
-  double max_range = 1.5;         ///< [m] points farther from the camera (the cloud's origin) are left out; 0 = none is
-  double plane_distance = 0.008;  ///< [m] points this near to the largest plane are ground
-  double min_plane_share = 0.2;   ///< A plane with fewer of the points is no ground
-  double cluster_tolerance = 0.02;  ///< [m] points nearer than this belong together, to about a quarter of it
-  int min_cluster_points = 30;
+  double max_range = 1.5;           ///< [m] Largest distance from the camera (the cloud's origin); 0 = no limit
+  double plane_distance = 0.008;    ///< [m] Largest distance of a ground point from the largest plane
+  double min_plane_share = 0.2;     ///< Smallest share of the points on a plane that is the ground
+  double cluster_tolerance = 0.02;  ///< [m] Largest gap within an object, exact to about a quarter of it
+  int min_cluster_points = 30;      ///< Fewest points of an object
 };
 
-/// Groups the finite points of a cloud [N, 3] m into objects on a plane. Each object is a list of row numbers; what
-/// belongs to no object is in none. The same cloud gives the same objects; few or no points give none.
+/// Groups the finite points of a cloud [N, 3] m into objects on a plane. Each object is a list of row numbers. A row
+/// that belongs to no object is in no list. The same cloud always gives the same objects, and a cloud with too few
+/// points gives none.
 std::vector<std::vector<int>> find_objects(const rigidformer::Points& points, const SegmentationOptions& options);

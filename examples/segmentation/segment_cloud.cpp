@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A worked example: one unlabelled cloud of a depth camera in (`points`), the same cloud with a label per object out
-// (`cloud`, 0 = ground and unknown), ready for the prediction node. Private parameters are the members of
-// SegmentationOptions, max_match_distance and max_missed_frames. Objects that touch become one.
+// This is a worked example of a segmentation. It reads the unlabelled clouds of a depth camera on the topic `points`
+// and publishes them with a label per object on the topic `cloud`, as the prediction node wants them. Label 0 means
+// ground or unknown. The private parameters are the members of SegmentationOptions, max_match_distance and
+// max_missed_frames. Objects that touch become one.
 #include <ros/ros.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
@@ -11,7 +12,8 @@
 #include <exception>
 
 #include "euclidean_segmentation.hpp"
-#include "rigidformer_ros/cloud_conversion.hpp"
+#include "rigidformer/geometry/point_rows.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
 #include "stable_labels.hpp"
 
 namespace {
@@ -19,12 +21,13 @@ namespace {
 using rigidformer_ros::Points;
 using sensor_msgs::PointField;
 
+// Most points of a cloud: the default of the node's parameter input/max_cloud_points.
 constexpr std::uint64_t kMaxPoints = 4000000;
 
 std::vector<Eigen::Vector3d> centroids_of(const Points& points, const std::vector<std::vector<int>>& objects) {
   std::vector<Eigen::Vector3d> centroids;
   for (const std::vector<int>& rows : objects) {
-    centroids.push_back(rigidformer_ros::select_rows(points, rows).cast<double>().colwise().mean().transpose());
+    centroids.push_back(rigidformer::select_rows(points, rows).cast<double>().colwise().mean().transpose());
   }
   return centroids;
 }
@@ -58,7 +61,7 @@ class SegmentCloud {
   }
 
  private:
-  // An exception that leaves a subscriber callback would end the node.
+  // All exceptions end here: one that leaves a subscriber callback would end the node.
   void on_cloud(const sensor_msgs::PointCloud2& message) {
     try {
       publisher_.publish(segment(message));

@@ -7,7 +7,7 @@
 #include <tuple>
 
 std::vector<std::uint32_t> StableLabels::assign(const std::vector<Eigen::Vector3d>& centroids) {
-  // Nearest pairs first, so that two neighbours do not take each other's label.
+  // The nearest pairs are matched first, so that two neighbours do not take each other's label.
   std::vector<std::tuple<double, std::uint32_t, std::size_t>> pairs;
   for (const auto& [label, known] : known_) {
     for (std::size_t i = 0; i < centroids.size(); ++i) {

@@ -7,20 +7,22 @@
 #include <map>
 #include <vector>
 
-/// Gives the objects of every frame the labels that they had before: an object is the nearest one of the frames before.
+/// Gives the objects of every frame the labels that they had in earlier frames. An object is taken for the nearest one
+/// that was seen before.
 class StableLabels {
  public:
-  /// An object farther than `max_distance_m` from all that were seen is new; one unseen for more than `max_missed`
-  /// frames is forgotten.
+  /// An object that is farther than `max_distance_m` from all known ones is new. An object that was not seen for more
+  /// than `max_missed` frames is forgotten.
   StableLabels(double max_distance_m, int max_missed) : max_distance_m_(max_distance_m), max_missed_(max_missed) {}
 
-  /// Labels from 1 on, one per centroid [m] of this frame, all different. Never used twice for different objects.
+  /// Gives a label to each centroid [m] of this frame. Labels count from 1, are different within a frame, and are never
+  /// used again for another object.
   std::vector<std::uint32_t> assign(const std::vector<Eigen::Vector3d>& centroids);
 
  private:
   struct Known {
     Eigen::Vector3d centroid;
-    int missed = 0;  ///< Frames since it was seen
+    int missed = 0;  ///< Frames since the object was last seen
   };
 
   double max_distance_m_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rigidformer/rollout.hpp"
 #include "rigidformer/scene/object.hpp"
 #include "rigidformer/scene/rollout_options.hpp"
 
@@ -14,55 +15,29 @@ namespace rigidformer {
 
 /// How to run a model. Field names are the YAML keys under `model:`.
 struct PredictorOptions {
-  std::string file;                   ///< Checkpoint (*.safetensors)
+  std::string file;                   ///< Checkpoint (*.safetensors) to load
   std::string device = "auto";        ///< auto | cpu | cuda | cuda:N; auto = CUDA when usable, else CPU
   std::string precision = "float32";  ///< float32 | bfloat16
   int num_threads = 1;                ///< CPU threads for tensor operations
-  int max_points = 256;               ///< Points per object the network looks at; larger clouds are thinned evenly
+  int max_points = 0;                 ///< Points per object the network looks at, at least 16; 0 = as the model says
   int warmup_runs = 2;                ///< Dummy predictions made by warm_up()
-  double rest_speed = 0.1;            ///< [m/s] an object that is and would stay slower than this ...
-  double rest_spin = 0.3;             ///< [rad/s] ... and this is held still; rest_speed 0 = never
+  double rest_speed = -1.0;           ///< [m/s] what is and would stay slower than this (0 = never) ...
+  double rest_spin = -1.0;            ///< [rad/s] ... and this is held still; negative = as the model says
   double engine_share = -1.0;         ///< Share of the physics engine's step, in [0, 1]; negative = as learned
-};
-
-/// Predicted motion of one object. `poses[k]` is T_world_reference at `Forecast::times_s[k]`; index 0 is the
-/// observation.
-struct ObjectForecast {
-  enum class Status { kOk, kDiverged };
-  std::string id;
-  Status status = Status::kOk;
-  std::vector<RigidTransform> poses;
-};
-
-struct Forecast {
-  std::vector<double> times_s;          ///< times_s[0] = 0, strictly increasing, spacing = time step
-  std::vector<ObjectForecast> objects;  ///< Same order as the input
-  double compute_time_s = 0.0;
 };
 
 /// What a loaded model is and where it can be trusted.
 struct ModelInfo {
-  std::string id;      ///< Preset and training name
-  std::string sha256;  ///< Of the checkpoint's tensors
-  std::string device;  ///< Where it runs
+  std::string id;      ///< Names of preset and training
+  std::string sha256;  ///< Hash of the checkpoint's tensors
+  std::string device;  ///< Device that the model runs on
   std::string precision;
   std::int64_t num_parameters = 0;
-  double min_time_step_s = 0.0, max_time_step_s = 0.0;  ///< Trained range
-  double min_size_m = 0.0, max_size_m = 0.0;            ///< Object diameters trained on
-  double max_speed_mps = 0.0;                           ///< Point speeds trained on
-  int max_objects = 0;                                  ///< Hard limit per call
-  int max_points = 0;                                   ///< Points per object actually used; more are subsampled
-};
-
-/// A rollout under way, for those who want to look in between: advancing by 8 and then by 16 steps gives what 24 at
-/// once give. Its predictor must outlive it.
-class Rollout {
- public:
-  virtual ~Rollout() = default;
-
-  /// Predicts `num_steps` more steps; returns everything from the observation on. The forecast's compute time is that
-  /// of all steps so far.
-  virtual const Forecast& advance(int num_steps) = 0;
+  double min_time_step_s = 0.0, max_time_step_s = 0.0;  ///< Range of time steps that it was trained on
+  double min_size_m = 0.0, max_size_m = 0.0;            ///< Range of object diameters that it was trained on
+  double max_speed_mps = 0.0;                           ///< Highest speed of points that it was trained on
+  int max_objects = 0;                                  ///< Most objects per call
+  int max_points = 0;  ///< Points per object that the network looks at; more are thinned
 };
 
 /// Loads a RigidFormer checkpoint and rolls scenes out. Torch stays hidden behind the implementation.
@@ -79,18 +54,22 @@ class Predictor {
   /// Runs dummy predictions so that the first real one is as fast as the rest.
   virtual void warm_up();
 
-  /// Rolls all objects out together (paper §3). Throws std::invalid_argument naming the object or field at fault;
-  /// objects whose prediction stops being finite get Status::kDiverged and keep their last finite pose.
-  /// An empty scene gives an empty forecast.
+  /// Rolls all objects out together (paper §3). Throws std::invalid_argument naming the option at fault.
+  /// Objects whose prediction stops being finite get Status::kDiverged and keep their last finite pose. Objects that
+  /// cannot be predicted get Status::kUnusable with the reason, and the others the forecast that they have without
+  /// them: those to which there is an objection (scene/objection.hpp), whose id came before, or that are more than the
+  /// model takes. Where that leaves none of a scene, std::invalid_argument tells the reasons. An empty scene gives an
+  /// empty forecast.
   virtual Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
-  /// The same in pieces: nothing is predicted before the first advance(). Throws what predict() throws.
+  /// Begins a rollout that goes on in pieces: nothing is predicted before the first
+  /// advance(). Throws what predict() throws.
   virtual std::unique_ptr<Rollout> start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
   virtual const ModelInfo& info() const;
 
  protected:
-  Predictor();  ///< For test doubles.
+  Predictor();  ///< For test doubles, which load no model.
 
  private:
   struct Impl;

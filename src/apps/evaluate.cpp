@@ -20,6 +20,7 @@
 #include "rigidformer/evaluation/protocol.hpp"
 #include "rigidformer/evaluation/report.hpp"
 #include "rigidformer/evaluation/report_folder.hpp"
+#include "rigidformer/model/threads.hpp"
 
 namespace {
 
@@ -115,6 +116,7 @@ void run(const EvaluateOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  use_vector_units();
   run(read_command_line(argc, argv));
   return 0;
 } catch (const std::exception& error) {

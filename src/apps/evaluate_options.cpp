@@ -35,7 +35,8 @@ void add_model_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--model", options.model.file, "Checkpoint; 'none' scores the baselines alone [the shipped one]");
   app.add_option("--device", options.model.device, "auto, cpu, cuda or cuda:N")->capture_default_str();
   app.add_option("--precision", options.model.precision, "float32 or bfloat16")->capture_default_str();
-  app.add_option("--rest-speed", options.model.rest_speed, "Objects slower than this [m/s] are held still, 0 = never")
+  app.add_option("--rest-speed", options.model.rest_speed,
+                 "Objects slower than this [m/s] are held still, 0 = never; negative = as the model says")
       ->capture_default_str();
   app.add_option("--engine-share", options.model.engine_share,
                  "Share of the physics engine's step instead of the learned one: 0 = network alone, 1 = engine alone");

@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "rigidformer/model/threads.hpp"
 #include "rigidformer/training/command_line.hpp"
 
 int main(int argc, char** argv) {
+  rigidformer::use_vector_units();
   CLI::App app{"Trains a RigidFormer model on simulated or recorded scenes."};
   rigidformer::TrainCommand command;
   app.add_option("--config", command.config, "Training file, see config/train/")->required()->check(CLI::ExistingFile);
@@ -22,6 +24,7 @@ int main(int argc, char** argv) {
   app.add_option("--iterations", command.iterations, "Instead of the number in the training file");
   app.add_option("--max-minutes", command.machine.max_minutes, "Stop, resumably, after this time");
   app.add_flag("--resume", command.machine.resume, "Go on exactly from the state in --out");
+  app.footer(rigidformer::training_keys());
   CLI11_PARSE(app, argc, argv);
   return rigidformer::run_train(command, std::cerr);
 }

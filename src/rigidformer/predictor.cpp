@@ -5,18 +5,19 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "predictor_rollout.hpp"
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/threads.hpp"
+#include "rigidformer/network_rollout.hpp"
+#include "rigidformer/usable_rollout.hpp"
 
 namespace rigidformer {
 namespace {
 
-constexpr int kMaxObjects = 256;
-constexpr double kTimeStepTolerance = 1e-6;  // [s]
+constexpr int kMaxObjects = 256;             // per call; as many as position_encoding.cpp can number
+constexpr double kTimeStepTolerance = 1e-6;  // [s] a time step rounded to microseconds is still in range
 
-/// Two clouds that fall: something to warm up with.
+/// Two clouds that fall: a scene to warm up with.
 std::vector<ObjectState> warm_up_scene() {
   std::vector<ObjectState> objects(2);
   for (size_t i = 0; i < objects.size(); ++i) {
@@ -28,8 +29,8 @@ std::vector<ObjectState> warm_up_scene() {
   return objects;
 }
 
-/// Keeps the matrices of the linear layers by columns: the linear-algebra library copies them at every multiplication,
-/// and this order it copies with vector instructions. The numbers stay the same.
+/// Stores the matrices of the linear layers by columns. The linear-algebra library copies them at every multiplication,
+/// and it copies this order with vector instructions. The numbers stay the same.
 void store_by_columns(RigidFormer& model) {
   torch::NoGradGuard no_grad;
   for (Tensor& parameter : model->parameters()) {
@@ -37,7 +38,7 @@ void store_by_columns(RigidFormer& model) {
   }
 }
 
-/// Of a scene without objects: time passes.
+/// The rollout of a scene without objects, in which only time passes.
 class EmptyRollout : public Rollout {
  public:
   explicit EmptyRollout(double time_step_s) : time_step_s_(time_step_s) { forecast_.times_s.push_back(0.0); }
@@ -59,7 +60,8 @@ class EmptyRollout : public Rollout {
 struct Predictor::Impl {
   explicit Impl(const PredictorOptions& predictor_options);
 
-  void check(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) const;
+  void check(const RolloutOptions& rollout) const;
+  void ask_model(const ModelOptions& model);
   void describe();
 
   PredictorOptions options;
@@ -75,21 +77,24 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
   if (options.num_threads < 1) {
     throw std::invalid_argument("num_threads is " + std::to_string(options.num_threads) + ", must be at least 1");
   }
-  if (options.max_points < 16) {
-    throw std::invalid_argument("max_points is " + std::to_string(options.max_points) + ", must be at least 16");
+  if (options.max_points != 0 && options.max_points < 16) {
+    throw std::invalid_argument("max_points is " + std::to_string(options.max_points) +
+                                ", must be at least 16, or 0 for what the model says");
   }
-  if (!(options.rest_speed >= 0.0 && options.rest_spin >= 0.0)) {
+  if (std::isnan(options.rest_speed) || std::isnan(options.rest_spin)) {
     throw std::invalid_argument("rest_speed is " + std::to_string(options.rest_speed) + " and rest_spin " +
-                                std::to_string(options.rest_spin) + ", must not be negative");
+                                std::to_string(options.rest_spin) + ", must be numbers");
   }
   if (!(options.engine_share <= 1.0)) {
     throw std::invalid_argument("engine_share is " + std::to_string(options.engine_share) + ", must be at most 1");
   }
+  use_vector_units();
   set_num_threads(options.num_threads);
   keep_freed_memory();
   device = select_device(options.device);
   checkpoint = load_checkpoint(options.file);
   RigidFormer& model = checkpoint.model;
+  ask_model(model->options);
   model->eval();
   model->to(device);
   if (options.engine_share >= 0.0) model->fixed_engine_share = options.engine_share;
@@ -104,6 +109,13 @@ Predictor::Impl::Impl(const PredictorOptions& predictor_options) : options(predi
   }
   if (device.is_cpu()) store_by_columns(model);
   describe();
+}
+
+/// What the caller leaves open is what the model was made for.
+void Predictor::Impl::ask_model(const ModelOptions& model) {
+  if (options.max_points == 0) options.max_points = model.max_points;
+  if (options.rest_speed < 0.0) options.rest_speed = model.rest_speed_mps;
+  if (options.rest_spin < 0.0) options.rest_spin = model.rest_spin_radps;
 }
 
 void Predictor::Impl::describe() {
@@ -122,12 +134,8 @@ void Predictor::Impl::describe() {
   info.max_points = options.max_points;
 }
 
-void Predictor::Impl::check(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) const {
-  validate_scene(objects, rollout);
-  if (objects.size() > static_cast<size_t>(info.max_objects)) {
-    throw std::invalid_argument("the scene has " + std::to_string(objects.size()) + " objects, at most " +
-                                std::to_string(info.max_objects) + " are allowed");
-  }
+void Predictor::Impl::check(const RolloutOptions& rollout) const {
+  validate_options(rollout);
   if (rollout.time_step_s < info.min_time_step_s - kTimeStepTolerance ||
       rollout.time_step_s > info.max_time_step_s + kTimeStepTolerance) {
     throw std::invalid_argument("time_step_s is " + std::to_string(rollout.time_step_s) +
@@ -154,9 +162,13 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
 }
 
 std::unique_ptr<Rollout> Predictor::start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
-  impl_->check(objects, rollout);
+  impl_->check(rollout);
   if (objects.empty()) return std::make_unique<EmptyRollout>(rollout.time_step_s);
-  return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, impl_->options, objects, rollout);
+  const PredictorOptions& options = impl_->options;
+  return start_usable(objects, impl_->info.max_objects, [&](const std::vector<ObjectState>& usable) {
+    return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, options.max_points,
+                                            RestLimits{options.rest_speed, options.rest_spin}, usable, rollout);
+  });
 }
 
 }  // namespace rigidformer

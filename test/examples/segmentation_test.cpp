@@ -14,7 +14,8 @@ namespace {
 
 using rigidformer::Points;
 
-/// A plane of 40 cm with a grid of 5 mm and two cubes of 5 cm (surface points) that hang `gap_m` apart above it.
+/// The points of a table with two cubes. The table is a plane of 40 cm with a point every 5 mm. The cubes of 5 cm have
+/// points on their surfaces and hang above the table, `gap_m` apart.
 Points table_with_cubes(double gap_m) {
   rigidformer::Random random(3);
   std::vector<Eigen::RowVector3f> rows;
@@ -49,7 +50,7 @@ TEST(EuclideanSegmentation, FindsTheObjectsAndLeavesTheGround) {
 
 TEST(EuclideanSegmentation, WhatIsFartherThanTheRangeIsNoObject) {
   Points points = table_with_cubes(0.05);
-  points.bottomRows(400).col(1).array() += 3.0F;  // the second cube
+  points.bottomRows(400).col(1).array() += 3.0F;  // This moves the second cube away from the camera.
   SegmentationOptions options;
   EXPECT_EQ(find_objects(points, options).size(), 1U);
   options.max_range = 4.0;
@@ -58,9 +59,10 @@ TEST(EuclideanSegmentation, WhatIsFartherThanTheRangeIsNoObject) {
   EXPECT_EQ(find_objects(points, options).size(), 2U) << "without a limit";
 }
 
-// As a camera sees them from near: many points in each voxel, of which none may be lost or stand twice.
+// A camera that is near sees many points in each voxel. None of them may be lost or be in the objects twice.
 TEST(EuclideanSegmentation, DenseCloudsGoToTheirObjectsPointByPoint) {
   const Points sparse = table_with_cubes(0.05);
+  // Copies of every point, all within about a millimetre; chosen by eye to have many points per voxel.
   constexpr int kCopies = 12;
   Points points(kCopies * sparse.rows(), 3);
   for (int copy = 0; copy < kCopies; ++copy) {

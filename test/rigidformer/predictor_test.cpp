@@ -14,7 +14,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kTimeStep_s = 5.0 / 240.0;
+constexpr double kTimeStep_s = 5.0 / 240.0;  // [s] five frames of the training data
 
 TrainingFacts facts_for_steps(double min_frames, double max_frames) {
   TrainingFacts facts;
@@ -26,7 +26,7 @@ TrainingFacts facts_for_steps(double min_frames, double max_frames) {
   return facts;
 }
 
-/// Two clouds that touch above the ground, so that every part of the network has work.
+/// Two clouds that touch above the ground, so that every part of the network has work to do.
 std::vector<ObjectState> touching_objects() {
   std::vector<ObjectState> objects(2);
   std::srand(5);
@@ -47,7 +47,7 @@ RolloutOptions short_rollout(int num_steps = 4) {
   return rollout;
 }
 
-double pose_difference(const ObjectForecast& a, const ObjectForecast& b) {
+double pose_difference(const ObjectTrajectory& a, const ObjectTrajectory& b) {
   double difference = a.poses.size() == b.poses.size() ? 0.0 : std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < std::min(a.poses.size(), b.poses.size()); ++k) {
     difference = std::max({difference, (a.poses[k].translation - b.poses[k].translation).norm(),
@@ -77,7 +77,7 @@ TEST_F(PredictorTest, ForecastHasTheObservationAndEveryStep) {
   ASSERT_EQ(forecast.objects.size(), 2u);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     EXPECT_EQ(forecast.objects[i].id, objects[i].id);
-    EXPECT_EQ(forecast.objects[i].status, ObjectForecast::Status::kOk);
+    EXPECT_EQ(forecast.objects[i].status, ObjectTrajectory::Status::kOk);
     ASSERT_EQ(forecast.objects[i].poses.size(), 5u);
     EXPECT_EQ(forecast.objects[i].poses[0].translation, objects[i].T_world_current.translation);
   }
@@ -109,14 +109,14 @@ TEST_F(PredictorTest, ARolloutInPiecesIsTheWholeToTheBit) {
   const Forecast whole = predictor.predict(objects, short_rollout(5));
   const std::unique_ptr<Rollout> rollout = predictor.start(objects, short_rollout(5));
   EXPECT_EQ(rollout->advance(2).times_s.size(), 3u);
-  predictor.predict(objects, short_rollout(1));  // others may come in between
+  predictor.predict(objects, short_rollout(1));  // other calls may come in between
   const Forecast pieces = rollout->advance(3);
   EXPECT_EQ(pieces.times_s, whole.times_s);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     EXPECT_EQ(pose_difference(pieces.objects[i], whole.objects[i]), 0.0);
   }
 
-  // Two poses do not hold the velocity at the end of a step: starting anew from them gives something else.
+  // Two poses do not hold the velocity at the end of a step: a rollout that starts anew from them gives something else.
   auto later = objects;
   for (std::size_t i = 0; i < later.size(); ++i) {
     later[i].T_world_previous = whole.objects[i].poses[1];
@@ -136,11 +136,11 @@ TEST_F(PredictorTest, APhysicsEngineTakesPartInTheForecast) {
   auto objects = touching_objects();
   objects.resize(1);
   const RolloutOptions rollout = short_rollout(60);
-  const ObjectForecast alone = engine.predict(objects, rollout).objects[0];
-  EXPECT_EQ(alone.status, ObjectForecast::Status::kOk);
-  EXPECT_GT(alone.poses.back().translation.z(), 0.05);  // it lies on the floor instead of falling through
+  const ObjectTrajectory alone = engine.predict(objects, rollout).objects[0];
+  EXPECT_EQ(alone.status, ObjectTrajectory::Status::kOk);
+  EXPECT_GT(alone.poses.back().translation.z(), 0.05);  // the object lies on the floor instead of falling through
   options_.engine_share = -1.0;
-  const ObjectForecast learned = Predictor(options_).predict(objects, rollout).objects[0];
+  const ObjectTrajectory learned = Predictor(options_).predict(objects, rollout).objects[0];
   EXPECT_GT(pose_difference(alone, learned), 1e-3);
   options_.engine_share = 1.5;
   EXPECT_NE(error_of([&] { Predictor{options_}; }).find("engine_share is 1.5"), std::string::npos);
@@ -217,34 +217,47 @@ TEST_F(PredictorTest, InfoTellsWhatWasTrained) {
   EXPECT_EQ(info.max_speed_mps, 9.0);
 }
 
-TEST_F(PredictorTest, BadInputIsRefusedByNameAndTheNextCallWorks) {
-  Predictor predictor(options_);
-  const auto refused = [&](const auto& change) {
-    auto objects = touching_objects();
-    RolloutOptions rollout = short_rollout();
-    change(objects, rollout);
-    return error_of([&] { predictor.predict(objects, rollout); });
+TEST_F(PredictorTest, TheModelSaysHowItIsUsedUnlessTheCallerDoes) {
+  auto objects = touching_objects();
+  for (ObjectState& object : objects) object.T_world_previous = object.T_world_current;
+  PredictorOptions open;
+  open.file = options_.file;
+  open.device = "cpu";
+  const auto moved = [&](double rest_speed) {
+    open.rest_speed = rest_speed;
+    const ObjectTrajectory forecast = Predictor(open).predict(objects, short_rollout()).objects[0];
+    return (forecast.poses.back().translation - forecast.poses.front().translation).norm() > 1e-7;
   };
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto expect_word = [](const std::string& message, const std::string& word) {
+  for (const double rest_speed : {0.0, 0.1}) {
+    ModelOptions model_options = model_preset("tiny");
+    model_options.max_points = 1200;
+    model_options.rest_speed_mps = rest_speed;
+    RigidFormer model = random_model(model_options, torch::kFloat32);
+    torch::NoGradGuard no_grad;
+    for (Tensor parameter : model->predictor->head->second->parameters()) parameter.mul_(1e-3);  // slow, but not still
+    save_checkpoint(open.file, model, facts_for_steps(1.0, 10.0));
+    EXPECT_EQ(Predictor(open).info().max_points, 1200);
+    EXPECT_EQ(Predictor(options_).info().max_points, 256);
+    EXPECT_EQ(moved(-1.0), rest_speed == 0.0) << "the model says " << rest_speed;
+    EXPECT_TRUE(moved(0.0));
+    EXPECT_FALSE(moved(0.1));
+  }
+}
+
+TEST_F(PredictorTest, BadRolloutOptionsAreRefusedByNameAndTheNextCallWorks) {
+  Predictor predictor(options_);
+  const auto expect_refused = [&](const auto& change, const std::string& word) {
+    RolloutOptions rollout = short_rollout();
+    change(rollout);
+    const std::string message = error_of([&] { predictor.predict(touching_objects(), rollout); });
     EXPECT_NE(message.find(word), std::string::npos) << "'" << message << "' lacks " << word;
   };
-  expect_word(refused([](auto&, auto& rollout) { rollout.num_steps = 0; }), "num_steps");
-  expect_word(refused([](auto&, auto& rollout) { rollout.time_step_s = 1.0; }), "time_step_s");
-  expect_word(refused([&](auto&, auto& rollout) { rollout.time_step_s = nan; }), "time_step_s");
-  expect_word(refused([&](auto&, auto& rollout) { rollout.gravity = nan; }), "gravity");
-  expect_word(refused([&](auto&, auto& rollout) { rollout.ground_height_m = nan; }), "ground_height");
-  expect_word(refused([&](auto& objects, auto&) { objects[1].points_reference(3, 2) = nan; }), "right");
-  expect_word(refused([&](auto& objects, auto&) { objects[1].T_world_previous.translation.x() = nan; }), "right");
-  expect_word(refused([](auto& objects, auto&) { objects[0].points_reference = Points::Zero(2, 3); }), "left");
-  expect_word(refused([](auto& objects, auto&) { objects[0].properties.mass_kg = -1.0; }), "mass");
-  expect_word(refused([](auto& objects, auto&) {
-                for (int i = 0; i < 300; ++i) {
-                  objects.push_back(objects[0]);
-                  objects.back().id = "copy_" + std::to_string(i);
-                }
-              }),
-              "302 objects");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused([](auto& rollout) { rollout.num_steps = 0; }, "num_steps");
+  expect_refused([](auto& rollout) { rollout.time_step_s = 1.0; }, "time_step_s");
+  expect_refused([&](auto& rollout) { rollout.time_step_s = nan; }, "time_step_s");
+  expect_refused([&](auto& rollout) { rollout.gravity = nan; }, "gravity");
+  expect_refused([&](auto& rollout) { rollout.ground_height_m = nan; }, "ground_height");
   EXPECT_EQ(predictor.predict(touching_objects(), short_rollout()).objects.size(), 2u);
 }
 
@@ -260,6 +273,7 @@ TEST_F(PredictorTest, BadOptionsAndFilesAreRefusedByName) {
   expect_word(refused([](auto& o) { o.precision = "int4"; }), "int4");
   expect_word(refused([](auto& o) { o.num_threads = 0; }), "num_threads");
   expect_word(refused([](auto& o) { o.max_points = 3; }), "max_points");
+  expect_word(refused([](auto& o) { o.rest_spin = std::nan(""); }), "rest_spin");
   expect_word(refused([](auto& o) { o.device = "tpu"; }), "tpu");
   expect_word(refused([](auto& o) { o.file = "/nowhere/none.safetensors"; }), "/nowhere/none.safetensors");
 }

@@ -9,7 +9,8 @@
 
 namespace rigidformer {
 
-/// A predictor of known physics for tests: free fall and constant spin, no contact. Exact for bodies that do that.
+/// A predictor of known physics for tests: every body falls freely and keeps its spin, and nothing touches anything.
+/// For bodies that move like that its forecasts are exact, so that tests can compare them with formulas.
 class BallisticPredictor : public Predictor {
  public:
   BallisticPredictor() {
@@ -40,7 +41,7 @@ class BallisticPredictor : public Predictor {
       forecast.times_s.push_back(k * rollout.time_step_s);
     }
     for (const ObjectState& object : objects) {
-      forecast.objects.push_back({object.id, ObjectForecast::Status::kOk, fly(object, rollout)});
+      forecast.objects.push_back({object.id, ObjectTrajectory::Status::kOk, fly(object, rollout)});
     }
     return forecast;
   }

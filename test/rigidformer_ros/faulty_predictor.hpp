@@ -12,13 +12,13 @@
 
 namespace rigidformer {
 
-/// Fails as the objects' ids say. "throws": there is no forecast; "nan": its poses are not finite from the third step
-/// on; "slow": every call takes 50 ms; "hangs": every call takes a second.
+/// A predictor that fails in the way that the id of an object asks for. With "throws" there is no forecast. The poses
+/// of "nan" are not finite from the third step on. With "slow" every call takes 50 ms, with "hangs" a second.
 class FaultyPredictor : public BallisticPredictor {
  public:
   Forecast predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) override {
     Forecast forecast = BallisticPredictor::predict(objects, rollout);
-    for (ObjectForecast& object : forecast.objects) {
+    for (ObjectTrajectory& object : forecast.objects) {
       if (object.id == "throws") {
         throw std::runtime_error("tensor trouble");
       }

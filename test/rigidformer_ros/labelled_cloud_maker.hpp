@@ -13,7 +13,8 @@
 
 namespace rigidformer_ros::testing {
 
-/// Writes a cloud with a label per point, in a layout of choice: the label stands before or behind x y z.
+/// Writes clouds with a label per point for tests. The members choose the layout, so that the label can stand before or
+/// behind x y z. Offsets and the step from point to point are in bytes.
 struct LabelledCloudMaker {
   std::string field = "label";
   std::uint8_t datatype = sensor_msgs::PointField::UINT32;
@@ -36,7 +37,7 @@ struct LabelledCloudMaker {
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
       std::uint8_t* point = cloud.data.data() + static_cast<std::size_t>(i) * point_step;
       std::memcpy(point + xyz_offset, points.row(i).data(), 12);
-      // Little endian: the low bytes of the number are the number in a smaller type.
+      // On a little-endian machine the first bytes of a number are the same number in a smaller type.
       std::memcpy(point + label_offset, &labels.at(static_cast<std::size_t>(i)), label_size());
     }
     return cloud;

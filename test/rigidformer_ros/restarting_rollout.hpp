@@ -8,15 +8,15 @@
 
 namespace rigidformer {
 
-/// For predictors of tests, which only know how to predict from two poses: each advance() is a prediction of its own
-/// from the last two poses of the one before.
+/// A rollout for the predictors of the tests, which only know how to predict from two poses: every advance() is a new
+/// prediction from the last two poses of the previous one.
 class RestartingRollout : public Rollout {
  public:
   RestartingRollout(Predictor& predictor, std::vector<ObjectState> objects, const RolloutOptions& rollout)
       : predictor_(predictor), objects_(std::move(objects)), options_(rollout) {
     forecast_.times_s.push_back(0.0);
     for (const ObjectState& object : objects_) {
-      forecast_.objects.push_back({object.id, ObjectForecast::Status::kOk, {object.T_world_current}});
+      forecast_.objects.push_back({object.id, ObjectTrajectory::Status::kOk, {object.T_world_current}});
     }
   }
 

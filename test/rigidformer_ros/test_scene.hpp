@@ -2,53 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/time.h>
+#include "rigidformer/tracking/flying_blob.hpp"
 
-#include <random>
-#include <string>
+namespace rigidformer_ros {
 
-#include "rigidformer/geometry/rigid_transform.hpp"
-#include "rigidformer_ros/track_store.hpp"
+using rigidformer::Points;
+using rigidformer::RigidTransform;
 
-namespace rigidformer_ros::testing {
+namespace testing {
 
-/// The same irregular cloud of about a metre (the size the shipped model knows) every time, centroid in the origin.
-inline Points blob(int count = 30, unsigned seed = 7) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<float> coordinate(-0.5F, 0.5F);
-  Points points = Points::NullaryExpr(count, 3, [&] { return coordinate(generator); });
-  if (count > 0) {
-    points.rowwise() -= points.colwise().mean().eval();
-  }
-  return points;
-}
+using rigidformer::testing::blob;
+using rigidformer::testing::Flight;
+using rigidformer::testing::observe;
 
-/// A body in free fall with constant spin about a fixed axis.
-struct Flight {
-  Eigen::Vector3d start{0.0, 0.0, 2.0};
-  Eigen::Vector3d velocity{0.5, -0.2, 1.0};
-  Eigen::Vector3d angular_velocity{0.3, 1.0, -2.0};
-  double gravity = -10.0;
-
-  RigidTransform pose(double t) const {
-    const double rate = angular_velocity.norm();
-    const Eigen::Quaterniond turn = rate > 0.0
-                                        ? Eigen::Quaterniond(Eigen::AngleAxisd(rate * t, angular_velocity / rate))
-                                        : Eigen::Quaterniond(1, 0, 0, 0);
-    return {turn, start + velocity * t + Eigen::Vector3d(0.0, 0.0, 0.5 * gravity * t * t)};
-  }
-};
-
-inline ObjectObservation observe(const std::string& id, const Points& points, double stamp_s) {
-  ObjectObservation observation;
-  observation.id = id;
-  observation.stamp = ros::Time(stamp_s);
-  observation.points_world = points;
-  return observation;
-}
-
-inline ObjectObservation observe(const std::string& id, const Flight& flight, double stamp_s, double t) {
-  return observe(id, flight.pose(t).apply(blob()), stamp_s);
-}
-
-}  // namespace rigidformer_ros::testing
+}  // namespace testing
+}  // namespace rigidformer_ros

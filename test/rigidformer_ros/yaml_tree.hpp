@@ -10,6 +10,7 @@
 
 namespace rigidformer_ros::testing {
 
+/// Gives a YAML scalar the type that the parameter server would give it. Text in quotes stays text.
 inline XmlRpc::XmlRpcValue to_scalar(const YAML::Node& node) {
   int integer = 0;
   double number = 0.0;
@@ -27,7 +28,7 @@ inline XmlRpc::XmlRpcValue to_scalar(const YAML::Node& node) {
   return XmlRpc::XmlRpcValue(node.Scalar());
 }
 
-/// What the parameter server makes of a YAML file.
+/// Turns a YAML file into the tree of values that the parameter server makes of it.
 inline XmlRpc::XmlRpcValue to_tree(const YAML::Node& node) {
   XmlRpc::XmlRpcValue value;
   if (node.IsMap()) {

@@ -13,13 +13,12 @@ namespace rigidformer {
 /// Names of the shapes of MOVi-B, in alphabetical order.
 const std::vector<std::string>& movi_b_shape_names();
 
-/// Mass at size 1 and density factor 1 of the shapes of MOVi [kg]; 0 for other names.
+/// Mass [kg] of a shape of MOVi at size 1 and density factor 1; 0 for other names.
 double movi_shape_mass(const std::string& name);
 
 /// Reads one shape in KuBasic layout: `collision_geometry.obj` with one closed convex mesh per `o` group, and
-/// `data.json` for the mass. A missing or broken data.json is survived: the mass is then the one known from MOVi, else
-/// the volume of the parts, and a sentence is appended to `warnings` when given. Throws std::runtime_error naming path
-/// and defect.
+/// `data.json` for the mass. Where data.json is missing or broken the mass is the one known from MOVi, else the volume
+/// of the parts, and a sentence is appended to `warnings` when given. Throws std::runtime_error naming path and defect.
 Shape load_kubasic_shape(const std::filesystem::path& folder, std::vector<std::string>* warnings = nullptr);
 
 /// Reads every sub-folder of `folder` that holds a shape, ordered by name. Throws std::runtime_error when there is

@@ -11,15 +11,16 @@
 
 namespace rigidformer {
 
-/// Many recordings of one set with the shapes they use: everything training and evaluation need, in one file.
-/// Stored as a tensor file (see io/tensor_file.hpp); docs/data_format.md lists the tensors and shows how to read them
-/// in Python.
+/// Many recordings of one set with the shapes that they use: everything that training and evaluation need, in
+/// one file. It is stored as a tensor file (see io/tensor_file.hpp); docs/data_format.md lists the tensors and
+/// shows how to read them in Python.
 struct SceneArchive {
   std::string set;  ///< movi_sphere | movi_a | movi_b | free name
   std::vector<Shape> shapes;
   std::vector<SceneRecording> scenes;  ///< Poses are stored in float32; velocities are not stored
 };
 
+/// Throws std::runtime_error naming path and defect.
 void write_scene_archive(const std::filesystem::path& path, const SceneArchive& archive);
 
 /// Throws std::runtime_error naming path and defect.

@@ -15,7 +15,8 @@ namespace rigidformer {
 /// `max_scenes` scenes are loaded, 0 = all. Throws std::runtime_error naming path and defect.
 SceneArchive load_scenes(const std::filesystem::path& path, const std::vector<Shape>& shapes, int max_scenes = 0);
 
-/// Same with the meshes read from a folder in KuBasic layout; an empty path stands for none.
+/// Loads scenes as the other load_scenes() does, with meshes read from a folder in KuBasic layout;
+/// an empty path stands for none.
 SceneArchive load_scenes(const std::filesystem::path& path, const std::filesystem::path& shapes_dir,
                          int max_scenes = 0);
 

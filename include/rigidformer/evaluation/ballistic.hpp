@@ -6,9 +6,9 @@
 
 namespace rigidformer {
 
-/// The guess without learning and without contact: keeps velocity and spin of the two given states and adds gravity, in
-/// the Verlet form x_{k+1} = 2 x_k - x_{k-1} + g dt^2 that is exact for a parabola. Objects that are not dynamic feel
-/// no gravity; static ones stay.
+/// The guess without learning and without contact: it keeps velocity and spin of the two given states and adds gravity,
+/// in the Verlet form x_{k+1} = 2 x_k - x_{k-1} + g dt^2 that is exact for a parabola. Gravity acts on dynamic objects
+/// only; static ones stay where they are.
 class BallisticForecaster : public Forecaster {
  public:
   std::string name() const override { return "ballistic"; }

@@ -11,7 +11,8 @@
 
 namespace rigidformer {
 
-/// One cell of the protocol: a set rolled out by one model from one start with one step size. In the order of tables.
+/// One cell of the protocol: a set rolled out by one model from one start with one step size.
+/// Keys are ordered as in tables.
 struct RoundKey {
   std::string set;
   int start = 0;
@@ -25,7 +26,7 @@ RoundKey key_of(const SceneResult& result);
 
 /// Mean error over a part of the scenes or objects of a round.
 struct PartialScore {
-  int count = 0;  ///< Objects of a shape, or scenes
+  int count = 0;  ///< Number of objects of a shape, or of scenes
   PoseError error;
 };
 
@@ -34,22 +35,22 @@ class Breakdown {
  public:
   void add(const SceneResult& result);
 
-  /// Per shape: root mean square over all objects of that shape in all scenes.
+  /// For every shape: the root mean square over all objects of that shape in all scenes.
   std::map<RoundKey, std::map<std::string, PartialScore>> by_shape() const;
 
-  /// Per number of objects in the scene: mean over those scenes of the scene's error.
+  /// For every number of objects in a scene: the mean over such scenes of the scene's error.
   std::map<RoundKey, std::map<int, PartialScore>> by_num_objects() const;
 
-  /// Per frame after the start: mean over the scenes that are long enough.
+  /// For every frame after the start: the mean over the scenes that are long enough.
   std::map<RoundKey, std::map<int, PartialScore>> by_frame() const;
 
  private:
   template <typename Group>
   using Errors = std::map<RoundKey, std::map<Group, std::vector<PoseError>>>;
 
-  Errors<std::string> by_shape_;  ///< One entry per object
-  Errors<int> by_num_objects_;    ///< One entry per scene, as in the next
-  Errors<int> by_frame_;
+  Errors<std::string> by_shape_;  ///< One error per object
+  Errors<int> by_num_objects_;    ///< One error per scene
+  Errors<int> by_frame_;          ///< One error per scene
 };
 
 }  // namespace rigidformer

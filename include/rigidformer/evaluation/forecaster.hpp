@@ -15,10 +15,11 @@ class Forecaster {
  public:
   virtual ~Forecaster() = default;
 
-  /// Name in tables and files, for example "ballistic".
+  /// Name of the forecaster in tables and files, for example "ballistic".
   virtual std::string name() const = 0;
 
-  /// T_world_reference as [object][k] for k = 0 ... num_steps at times k * time_step_s; k = 0 is the observation.
+  /// Returns T_world_reference as [object][k] for k = 0 ... num_steps at times k *
+  /// time_step_s; k = 0 is the observation.
   virtual std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
                                                             const RolloutOptions& rollout) = 0;
 };

@@ -14,15 +14,15 @@ struct PoseError {
   double orientation_rmse_deg = 0.0;
 };
 
-/// Pose between the steps of a forecast: `step` counts time steps from poses[0] and need not be whole (linear in
-/// position, slerp in rotation). Throws std::out_of_range when `step` lies outside the forecast.
+/// Pose between the steps of a forecast: `step` counts time steps from poses[0] and need not be whole. The position is
+/// interpolated linearly, the rotation by slerp. Throws std::out_of_range when `step` lies outside the forecast.
 RigidTransform pose_at_step(const std::vector<RigidTransform>& poses, double step);
 
-/// sqrt of the mean over objects of the squared distance of the origins and of the squared geodesic angle.
+/// Root mean square over objects of the distance of the origins and of the geodesic angle between the orientations.
 /// Throws std::invalid_argument for no objects or different counts.
 PoseError scene_error(const std::vector<RigidTransform>& predicted, const std::vector<RigidTransform>& truth);
 
-/// Mean over scenes of the per-scene errors. Throws std::invalid_argument for no scenes.
+/// Mean over scenes of their errors. Throws std::invalid_argument for no scenes.
 PoseError mean_error(const std::vector<PoseError>& scenes);
 
 }  // namespace rigidformer

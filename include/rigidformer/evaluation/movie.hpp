@@ -10,12 +10,12 @@
 
 namespace rigidformer {
 
-/// What to show, in frames of the recording.
+/// The part of a recording that a movie shows, in frames of the recording.
 struct MovieOptions {
-  int start = 120;       ///< First given frame
+  int start = 120;       ///< First of the two given frames
   int step = 10;         ///< Frames per predicted step, and per picture
   int num_steps = 24;    ///< Predicted steps
-  int picture_time = 8;  ///< Hundredths of a second per picture
+  int picture_time = 8;  ///< Time that a picture stays [1/100 s]
 };
 
 /// Draws the recorded and the predicted motion of the observed points side by side as an animated GIF, a colour per

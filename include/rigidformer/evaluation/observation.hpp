@@ -13,35 +13,36 @@
 
 namespace rigidformer {
 
-/// What of the truth a forecaster gets to see.
+/// The part of the truth that a forecaster gets to see.
 struct ObservationOptions {
-  int num_points = 256;          ///< Surface samples per object; 0 = the vertices of the shape
+  int num_points = 256;          ///< Surface samples per object; 0 = the vertices of the shape instead
   bool known_properties = true;  ///< false: mass, friction and restitution are left empty
   double noise_m = 0.0;          ///< Standard deviation of each coordinate of the points [m]
   double masked_fraction = 0.0;  ///< Share of the points that is dropped at random, in [0, 1)
-  bool one_view = false;         ///< Keep only points whose outward normal faces the camera at the last given frame
-  Eigen::Vector3d camera_world{7.5, -6.5, 5.3};  ///< [m]
+  bool one_view = false;         ///< Keep only points whose outward normal faces the camera at the later given frame
+  Eigen::Vector3d camera_world{7.5, -6.5, 5.3};  ///< Position of that camera [m]; chosen by eye
 
   /// Throws std::invalid_argument naming field and value.
   void validate() const;
 };
 
 /// Turns recorded scenes into what a perception pipeline would give. The reference frame of every object is its body
-/// frame, whatever part of its points is seen, so that predicted poses compare with the recorded ones.
+/// frame, whichever part of its points is seen, so that predicted poses compare with the recorded ones.
 class Observer {
  public:
   /// Points are drawn once per shape. Throws std::invalid_argument for invalid options or a shape without area.
   Observer(const std::vector<Shape>& shapes, const ObservationOptions& options);
 
-  /// The objects at `frame` and `step` frames before it. The same scene and frame give the same points; at least four
-  /// are kept per object. Throws std::invalid_argument for an unknown shape or a frame outside the recording.
+  /// Gives the objects at `frame` and at `step` frames before it. The same scene and frame give the same
+  /// points, and at least four points are kept per object. Throws std::invalid_argument for an unknown shape or
+  /// a frame outside the recording.
   std::vector<ObjectState> observe(const SceneRecording& scene, int frame, int step) const;
 
  private:
   Points observed_points(const RecordedObject& object, int frame, std::uint64_t seed) const;
 
   ObservationOptions options_;
-  std::map<std::string, SurfaceSamples> samples_;  ///< Per shape, at size 1
+  std::map<std::string, SurfaceSamples> samples_;  ///< Samples of every shape at size 1
 };
 
 }  // namespace rigidformer

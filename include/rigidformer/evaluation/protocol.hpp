@@ -13,14 +13,15 @@
 
 namespace rigidformer {
 
-/// Which rollouts are made and where they are scored. All numbers count frames.
+/// Which rollouts are made and where they are scored. All numbers count frames. The default step sizes and horizons are
+/// the paper's, which starts at frame 0 only (docs/paper_map.md, "§4, scores").
 struct ProtocolOptions {
-  std::vector<int> starts{0, 120, 240};    ///< First given frame S; the second is S + step
-  std::vector<int> steps{1, 5, 10};        ///< Time step of the rollout
-  std::vector<int> horizons{50, 75, 100};  ///< Scored at frame S + horizon
-  int max_scenes = 0;                      ///< Only the first ones; 0 = all
-  bool resting_only = false;               ///< Score only objects that lie still from start to last horizon: drift
-  int curve_frames = 0;  ///< Rolls out up to here for the errors after every step, as far as a recording goes
+  std::vector<int> starts{0, 120, 240};    ///< First given frames S; the second given frame is S + step
+  std::vector<int> steps{1, 5, 10};        ///< Step sizes of the rollouts
+  std::vector<int> horizons{50, 75, 100};  ///< Scores are taken at the frames S + horizon
+  int max_scenes = 0;                      ///< Number of scenes used, from the first on; 0 = all
+  bool resting_only = false;  ///< Scores only objects that lie still from the start to the last horizon: their drift
+  int curve_frames = 0;  ///< Errors after every step are taken up to this frame after S, as far as a recording goes
   ObservationOptions observation;
 
   /// Throws std::invalid_argument naming field and value, also when a horizon is shorter than a step.
@@ -39,28 +40,29 @@ struct Score {
   double compute_s_per_predicted_s = 0.0;  ///< Wall time of the forecaster per second of predicted motion
 };
 
-/// How one rollout of one scene went.
+/// Outcome of one rollout of one scene.
 struct SceneResult {
   std::string model;
   std::string set;
   int start = 0;
   int step = 0;
-  const SceneRecording* scene = nullptr;                  ///< Never null
-  std::vector<PoseError> at_horizon;                      ///< Of the scored objects, in the order of the horizons
-  std::vector<std::vector<PoseError>> object_at_horizon;  ///< [horizon][object]: distance and angle of one object
-  std::vector<PoseError> after_step;  ///< Of all objects, k steps after the second given frame; only with curve_frames
-  std::vector<std::vector<RigidTransform>> predicted;  ///< [object][k]
+  const SceneRecording* scene = nullptr;                  ///< The scene that was rolled out; never null
+  std::vector<PoseError> at_horizon;                      ///< [horizon] error of the scored objects
+  std::vector<std::vector<PoseError>> object_at_horizon;  ///< [horizon][object] distance and angle of one object
+  std::vector<PoseError> after_step;  ///< [k] errors of all objects after k more steps; only with curve_frames
+  std::vector<std::vector<RigidTransform>> predicted;  ///< [object][k] predicted poses
 };
 
 /// Called after every rollout; the result lives no longer than the call.
 using ResultSink = std::function<void(const SceneResult&)>;
 
-/// Called after every scene with the rollout steps made so far and in all.
+/// Called after every scene with the number of rollout steps made so far and in all.
 using EvaluationProgress = std::function<void(long done, long total)>;
 
-/// Rolls every forecaster out from two given frames of every scene and scores it against the recording. Scores come in
-/// the order start, step, forecaster, horizon. Scenes in which nothing rests are left out of a score of resting
-/// objects. Throws std::invalid_argument for invalid options, no scenes, nothing to score or a scene that is too short.
+/// Rolls every forecaster out from two given frames of every scene and scores it against the recording.
+/// Scores come in the order start, step, forecaster, horizon. When only resting objects are scored, scenes in
+/// which nothing rests are left out. Throws std::invalid_argument for invalid options, no scenes, nothing to
+/// score or a scene that is too short.
 std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
                             const ProtocolOptions& options, const EvaluationProgress& progress = {},
                             const ResultSink& sink = {});

@@ -13,8 +13,8 @@
 namespace rigidformer {
 
 /// Collects results and writes them as a folder that a person can look at: report.md with tables and pictures,
-/// scores.json, breakdown.json, error_*.svg over time and worst_*.svg with the paths of the worst scenes. Without
-/// gnuplot the pictures are missing and report.md says so.
+/// scores.json, breakdown.json, error_*.svg with errors over time and worst_*.svg with the paths of the worst scenes.
+/// Without gnuplot there are no pictures, and report.md says so.
 class ReportFolder {
  public:
   /// Makes the folder. `first_model` is the one whose worst scenes are shown. Throws std::runtime_error when the folder

@@ -11,27 +11,27 @@
 
 namespace rigidformer {
 
-/// A rollout to look at: the origins of all objects from the second given frame to the longest horizon.
+/// The rollout of a scene to look at: the origins of all objects from the second given frame to the longest horizon.
 struct ScenePaths {
   std::string set, scene;
   int start = 0, step = 0;
-  PoseError error;                                                ///< At the longest horizon
-  std::vector<std::string> shapes;                                ///< Per object
-  std::vector<std::vector<Eigen::Vector3d>> predicted, recorded;  ///< [object][k] m
+  PoseError error;                                                ///< Error of the scene at the longest horizon
+  std::vector<std::string> shapes;                                ///< Name of every object's shape
+  std::vector<std::vector<Eigen::Vector3d>> predicted, recorded;  ///< [object][k] positions [m]
 };
 
-/// Keeps the scenes that one model predicts worst (position at the longest horizon), per set and start; a scene counts
-/// once, with its worst step size.
+/// Keeps the scenes that one model predicts worst, by the position at the longest horizon, for every set and start. A
+/// scene counts once, with its worst step size.
 class WorstScenes {
  public:
-  /// `horizon` in frames after the start.
+  /// `horizon` counts frames after the start.
   WorstScenes(std::string model, int horizon, int kept_per_start)
       : model_(std::move(model)), horizon_(horizon), kept_per_start_(kept_per_start) {}
 
-  /// Results of other models are ignored.
+  /// Takes a result in; results of other models are ignored.
   void add(const SceneResult& result);
 
-  /// By set and start, worst first.
+  /// Returns the kept scenes by set and start, the worst one first.
   std::vector<ScenePaths> list() const;
 
  private:

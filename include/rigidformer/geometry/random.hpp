@@ -8,19 +8,19 @@
 
 namespace rigidformer {
 
-/// Random numbers that are the same on every platform: the standard fixes the engine but not its distributions, so the
-/// mapping to intervals is our own. Each (seed, stream) pair is an independent sequence.
+/// Random numbers that are the same on every platform. The standard fixes the engine but not its distributions, so that
+/// the mapping to intervals is our own. Each (seed, stream) pair is an independent sequence.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0);
 
-  /// Uniform in [low, high).
+  /// Draws a number uniformly from [low, high).
   double uniform(double low, double high);
 
-  /// Uniform integer in [low, high], both included. Requires low <= high.
+  /// Draws an integer uniformly from [low, high], both included. Requires low <= high.
   int uniform_int(int low, int high);
 
-  /// Uniform over all rotations.
+  /// Draws a rotation uniformly from all rotations.
   Eigen::Quaterniond rotation();
 
  private:

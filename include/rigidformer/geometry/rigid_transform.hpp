@@ -7,13 +7,14 @@
 
 namespace rigidformer {
 
-/// N points as rows [N, 3], metres, single precision (what sensors deliver and the network reads).
+/// N points as rows [N, 3], in metres and single precision, which is what sensors deliver and the network reads.
 using Points = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// A rigid motion or pose, named `T_target_source`: maps coordinates in `source` to `target`.
 struct RigidTransform {
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Unit quaternion.
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();         ///< [m]
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Unit quaternion
+  /// Position of the source frame's origin in the target frame [m].
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
   RigidTransform inverse() const;
 
@@ -24,13 +25,14 @@ struct RigidTransform {
 Eigen::Vector3d operator*(const RigidTransform& T_target_source, const Eigen::Vector3d& point_source);
 RigidTransform operator*(const RigidTransform& T_a_b, const RigidTransform& T_b_c);
 
-/// Axis times angle [rad], the shorter way round: at most pi long.
+/// The rotation vector, axis times angle [rad], of the shorter way round: at most pi long.
 Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
 
-/// The rotation about an axis by its length as angle [rad].
+/// The rotation about the vector's direction by its length [rad].
 Eigen::Quaterniond rotation_about(const Eigen::Vector3d& rotation_vector);
 
-/// Linear in position and slerp in rotation; `fraction` 0 gives `from`, 1 gives `to`, values outside extrapolate.
+/// Interpolates linearly in position and by slerp in rotation: `fraction` 0 gives `from`, 1 gives `to`,
+/// and values outside extrapolate.
 RigidTransform interpolate(const RigidTransform& from, const RigidTransform& to, double fraction);
 
 /// Geodesic angle between the two rotations [rad], in [0, pi].

@@ -11,7 +11,7 @@ namespace rigidformer {
 /// Throws what load_checkpoint throws.
 std::string summarize_checkpoint(const std::filesystem::path& file);
 
-/// Parameter counts of a preset, part by part.
+/// Lists the number of parameters of a preset, part by part.
 std::string summarize_preset(const std::string& preset);
 
 }  // namespace rigidformer

@@ -6,32 +6,37 @@
 #include <string>
 
 #include "rigidformer/geometry/rigid_transform.hpp"
+#include "rigidformer/io/members.hpp"
 
 namespace rigidformer {
 
 /// How an object takes part in a rollout.
 enum class MotionMode {
-  kDynamic,    ///< Predicted by the network.
-  kKinematic,  ///< Keeps the twist between its two observed states; others react to it.
-  kStatic      ///< Never moves (table, shelf, wall); others react to it.
+  kDynamic,    ///< The network predicts the object.
+  kKinematic,  ///< The object keeps the twist between its two observed states; others react to it.
+  kStatic      ///< The object never moves (table, shelf, wall); others react to it.
 };
+
+inline EnumNames<MotionMode> names_of(MotionMode) {
+  return {{"dynamic", MotionMode::kDynamic}, {"kinematic", MotionMode::kKinematic}, {"static", MotionMode::kStatic}};
+}
 
 /// Material parameters of one object; empty = not known to the observer.
-struct PhysicalProperties {
-  std::optional<double> mass_kg;      ///< > 0
-  std::optional<double> friction;     ///< Coulomb coefficient, >= 0
-  std::optional<double> restitution;  ///< in [0, 1]
+struct BodyProperties {
+  std::optional<double> mass_kg;      ///< Mass, above 0
+  std::optional<double> friction;     ///< Coulomb coefficient, at least 0
+  std::optional<double> restitution;  ///< Coefficient of restitution, in [0, 1]
 };
 
-/// One object as the predictor sees it: a rigid cloud and its two most recent poses, one time step apart.
-/// The reference frame may be any frame fixed to the cloud; with identity poses the cloud is simply in world.
+/// One object as the predictor sees it: a rigid cloud and its two most recent poses, one time step apart. The reference
+/// frame may be any frame fixed to the cloud; with identity poses the cloud is simply in world.
 struct ObjectState {
   std::string id;
   MotionMode mode = MotionMode::kDynamic;
   Points points_reference;          ///< [N, 3] m, at least 4 points, in the reference frame
-  RigidTransform T_world_previous;  ///< Pose at t0 - time_step
+  RigidTransform T_world_previous;  ///< Pose one time step before t0
   RigidTransform T_world_current;   ///< Pose at t0
-  PhysicalProperties properties;
+  BodyProperties properties;
 };
 
 }  // namespace rigidformer

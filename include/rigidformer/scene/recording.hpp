@@ -11,23 +11,23 @@
 
 namespace rigidformer {
 
-/// Motion of one object in a recorded or simulated scene, with ground truth.
+/// Motion of one object in a recorded or simulated scene: the ground truth.
 struct RecordedObject {
-  std::string shape;  ///< Name in the shape library (Kubric: asset_id)
+  std::string shape;  ///< Name of the shape in the library (Kubric: asset_id)
   double size = 1.0;  ///< Uniform scale of the shape
-  PhysicalProperties properties;
-  std::vector<RigidTransform> T_world_object;       ///< One pose per frame; origin = centre of mass
-  std::vector<Eigen::Vector3d> velocities;          ///< Of the centre of mass [m/s], one per frame; may be empty
-  std::vector<Eigen::Vector3d> angular_velocities;  ///< World frame [rad/s], one per frame; may be empty
+  BodyProperties properties;
+  std::vector<RigidTransform> T_world_object;  ///< One pose per frame; the origin is the centre of mass
+  std::vector<Eigen::Vector3d> velocities;     ///< Velocity of the centre of mass [m/s], one per frame; may be empty
+  std::vector<Eigen::Vector3d> angular_velocities;  ///< Angular velocity in world [rad/s], one per frame; may be empty
 };
 
 /// A scene over time at a fixed frame rate.
 struct SceneRecording {
-  std::string name;  ///< For messages: folder or archive index
+  std::string name;  ///< Folder or archive index, for messages
   std::uint64_t seed = 0;
   double frame_rate_hz = 240.0;
   int num_frames = 0;
-  Eigen::Vector3d gravity{0.0, 0.0, -10.0};  ///< [m/s^2]
+  Eigen::Vector3d gravity{0.0, 0.0, -10.0};  ///< [m/s^2] as in the MOVi scenes
   std::vector<RecordedObject> objects;
 };
 

@@ -8,8 +8,8 @@ namespace rigidformer {
 
 /// The scene-wide settings of one rollout.
 struct RolloutOptions {
-  int num_steps = 10;                 ///< >= 1
-  double time_step_s = 10.0 / 240.0;  ///< Must lie in the model's trained range
+  int num_steps = 10;                 ///< Number of steps, at least 1
+  double time_step_s = 10.0 / 240.0;  ///< [s] must lie in the model's trained range
   double gravity = -10.0;  ///< Vertical acceleration [m/s^2]; only models with inertial base motion can change it
   std::optional<double> ground_height_m = 0.0;  ///< Height of the ground plane z = h; empty = no ground
 };

@@ -14,11 +14,11 @@ struct SurfaceSamples {
   Points normals;
 };
 
-/// Draws `count` points uniformly by area on the outer surface at size 1; points inside another convex part are
+/// Draws `count` points uniformly by area on the outer surface at size 1. Points inside another convex part are
 /// rejected. The same seed gives the same points. Throws std::invalid_argument for a shape without area.
 SurfaceSamples sample_surface(const Shape& shape, int count, std::uint64_t seed);
 
-/// All mesh vertices with the area-weighted mean of the normals of the triangles around them.
+/// Gives all mesh vertices, each with the area-weighted mean normal of the triangles around it.
 SurfaceSamples vertices_with_normals(const Shape& shape);
 
 }  // namespace rigidformer

@@ -10,32 +10,33 @@
 
 namespace rigidformer {
 
-/// Settings of the Bullet world of the MOVi scenes. Each was checked against published scenes.
+/// Settings of the Bullet world of the MOVi scenes. Each was checked against published scenes:
+/// test/rigidformer/simulation/movi_fidelity_test.cpp follows some of them.
 struct BulletSettings {
-  double frame_rate_hz = 240.0;
+  double frame_rate_hz = 240.0;              ///< Frames per second of the recording
   int substeps = 10;                         ///< Solver steps per frame
   Eigen::Vector3d gravity{0.0, 0.0, -10.0};  ///< [m/s^2]
-  double floor_friction = 0.3;
+  double floor_friction = 0.3;               ///< Coulomb coefficient of the floor
   double floor_restitution = 0.5;
-  double hull_margin_m = 0.001;
-  int solver_iterations = 50;
-  double contact_erp = 0.08;  ///< Share of penetration removed per step (Bullet's erp2)
-  double friction_erp = 0.2;
-  double least_squares_residual = 1e-7;  ///< Iterations stop below this
+  double hull_margin_m = 0.001;          ///< Collision margin around convex hulls
+  int solver_iterations = 50;            ///< Iterations of the solver per solver step
+  double contact_erp = 0.08;             ///< Share of a penetration that is removed per solver step (Bullet's erp2)
+  double friction_erp = 0.2;             ///< Share of a friction error that is removed per solver step
+  double least_squares_residual = 1e-7;  ///< Residual below which the solver's iterations stop
 
   /// Throws std::invalid_argument naming field and value.
   void validate() const;
 };
 
-/// Momentary motion of one body.
+/// Motion of one body at one instant.
 struct BodyState {
-  RigidTransform T_world_object;                               ///< Origin = centre of mass
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< [m/s]
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< World frame [rad/s]
+  RigidTransform T_world_object;                               ///< Pose of the body; its origin is its centre of mass
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< Velocity of the centre of mass [m/s]
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< Angular velocity in world [rad/s]
 };
 
-/// Rigid bodies above the floor plane z = 0, stepped frame by frame. Not thread safe; worlds are independent of each
-/// other.
+/// Rigid bodies above the floor plane z = 0, stepped frame by frame. A world is not thread safe; worlds
+/// are independent of each other.
 class BulletWorld {
  public:
   explicit BulletWorld(const BulletSettings& settings);
@@ -45,10 +46,10 @@ class BulletWorld {
 
   /// Adds a body of `shape` scaled by `size` and returns its index. Mass, friction and restitution must be set. Throws
   /// std::invalid_argument naming what is missing or not positive.
-  int add_body(const Shape& shape, double size, const PhysicalProperties& properties, const BodyState& state);
+  int add_body(const Shape& shape, double size, const BodyProperties& properties, const BodyState& state);
 
-  /// Adds a body that nothing can push and gravity does not move: it keeps its velocity. The mass is not read.
-  int add_driven_body(const Shape& shape, double size, PhysicalProperties properties, const BodyState& state);
+  /// Adds a body that keeps its velocity: nothing can push it, and gravity does not act on it. Its mass is not read.
+  int add_driven_body(const Shape& shape, double size, BodyProperties properties, const BodyState& state);
 
   /// Removes the body added last.
   void remove_last_body();
@@ -57,7 +58,7 @@ class BulletWorld {
   BodyState state(int body) const;
   void set_state(int body, const BodyState& state);
 
-  /// True when the body touches or penetrates another body (the floor not counted).
+  /// True when the body touches or penetrates another body; the floor does not count.
   bool overlaps_any(int body) const;
 
   /// Advances the world by one frame.
@@ -68,8 +69,9 @@ class BulletWorld {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A world holding the objects of `scene` as they are at `frame`. Velocities absent from the recording are taken as
-/// zero. Throws std::invalid_argument when a shape is missing from `shapes` or `frame` lies outside the recording.
+/// Makes a world that holds the objects of `scene` as they are at `frame`. Velocities absent from the
+/// recording are taken as zero. Throws std::invalid_argument when a shape is missing from `shapes` or
+/// `frame` lies outside the recording.
 BulletWorld make_world(const SceneRecording& scene, const std::vector<Shape>& shapes, const BulletSettings& settings,
                        int frame = 0);
 

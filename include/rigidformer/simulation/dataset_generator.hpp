@@ -11,22 +11,22 @@
 
 namespace rigidformer {
 
-/// What to generate and where.
+/// The data set to generate and its place.
 struct DatasetOptions {
   std::string set = "movi_a";      ///< movi_sphere | movi_a | movi_b
-  int num_scenes = 0;              ///< >= 1
-  std::uint64_t seed = 0;          ///< Scene i depends on seed and i only
-  std::filesystem::path output;    ///< Folder; created when missing
+  int num_scenes = 0;              ///< Number of scenes, at least 1
+  std::uint64_t seed = 0;          ///< Scene i depends on the seed and on i only
+  std::filesystem::path output;    ///< Folder, made when missing
   std::filesystem::path shapes;    ///< Folder in KuBasic layout; empty = built-in shapes
   std::string format = "archive";  ///< archive (shards of 100 scenes) | kubric (one folder per scene)
-  MoviOptions movi;                ///< Which frames are recorded, how scenes are drawn
-  int jobs = 1;                    ///< Threads
+  MoviOptions movi;                ///< Which frames are recorded and how scenes are drawn
+  int jobs = 1;                    ///< Number of threads
 
   /// Throws std::invalid_argument naming field and value.
   void validate() const;
 };
 
-/// Generates a data set; progress and warnings go to `log`. Finished parts found in the folder are kept, so an
+/// Generates a data set; progress and warnings go to `log`. Finished parts found in the folder are kept, so that an
 /// interrupted run can be repeated with the same arguments. Throws std::runtime_error when the folder holds scenes of
 /// another set, seed, shape library or format.
 void generate_dataset(const DatasetOptions& options, std::ostream& log);

@@ -15,11 +15,14 @@ namespace rigidformer {
 /// The command line of the `train` tool.
 struct TrainCommand {
   std::filesystem::path config;
-  std::vector<std::string> overrides;  ///< Of the training file, see load_training_options
+  std::vector<std::string> overrides;  ///< "key=value" that go before the training file, see load_training_options()
   TrainingPaths paths;
   TrainingMachine machine;
-  std::int64_t iterations = 0;  ///< 0 = as in the training file
+  std::int64_t iterations = 0;  ///< Number of iterations; 0 = as in the training file
 };
+
+/// The keys of a training file with defaults, accepted values and meanings.
+std::string training_keys();
 
 /// Runs it; errors become one line on `log` and exit status 1.
 int run_train(const TrainCommand& command, std::ostream& log);

@@ -8,23 +8,23 @@
 
 namespace rigidformer {
 
-struct TrainingOptions;  // training/options.hpp, which needs LibTorch's headers
+struct TrainingOptions;  // defined in training/options.hpp, which needs LibTorch's headers
 
 /// Where a training run reads and writes.
 struct TrainingPaths {
   std::vector<std::filesystem::path> data;        ///< Folders or archives of scenes to learn from
-  std::vector<std::filesystem::path> validation;  ///< Scenes never learned from; may be empty
+  std::vector<std::filesystem::path> validation;  ///< Scenes that are never learned from; may be empty
   std::filesystem::path shapes;                   ///< Shape library for Kubric folders; may be empty
-  std::filesystem::path output;                   ///< Receives state, model.safetensors, log.csv, loss.svg
-  std::filesystem::path initial_model;            ///< Start from these weights; may be empty
+  std::filesystem::path output;                   ///< Folder for the state, model.safetensors, log.csv and loss.svg
+  std::filesystem::path initial_model;            ///< Weights to start from; may be empty
 };
 
 /// How a training run uses the machine.
 struct TrainingMachine {
   std::string device = "auto";  ///< auto | cpu | cuda | cuda:N
   int num_threads = 1;
-  double max_minutes = 0.0;  ///< Stop (resumably) after this time; 0 = no limit
-  bool resume = false;       ///< Go on from the state in the output folder, exactly
+  double max_minutes = 0.0;  ///< Minutes after which the run stops, to be resumed; 0 = no limit
+  bool resume = false;       ///< Goes on exactly from the state in the output folder
 };
 
 /// Trains until all iterations are done or time is up. Throws std::invalid_argument or std::runtime_error.

@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/baselines/bullet_forecaster.hpp"
 
+#include "rigidformer/simulation/observed_motion.hpp"
+
 namespace rigidformer {
 
 std::vector<std::vector<RigidTransform>> BulletForecaster::forecast(const std::vector<ObjectState>& objects,
                                                                     const RolloutOptions& rollout) {
   const std::vector<ObservedBody> bodies = observe_bodies(objects, rollout, decompose_);
-  BulletSettings settings;
-  settings.frame_rate_hz = 1.0 / rollout.time_step_s;
-  settings.substeps = substeps_per_step(rollout);
-  settings.gravity = {0.0, 0.0, rollout.gravity};
+  const BulletSettings settings = observed_world(rollout.time_step_s, rollout.gravity);
   BulletWorld world(settings);
   std::vector<std::vector<RigidTransform>> poses;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    // Bullet moves by the velocity after the kick of gravity: starting half a kick back makes free flight exact.
+    // Bullet moves bodies by the velocity after the kick of gravity: starting half a kick back makes free flight exact.
     BodyState state = bodies[i].state;
-    state.velocity -= 0.5 * settings.gravity * rollout.time_step_s / settings.substeps;
+    state.velocity.z() -= half_fall(rollout.time_step_s, rollout.gravity) / settings.substeps;
     world.add_body({objects[i].id, 1.0, bodies[i].parts}, 1.0, bodies[i].properties, state);
     poses.push_back({objects[i].T_world_current});
   }

@@ -16,15 +16,16 @@ namespace {
 using Vertices = std::vector<HACD::Vec3<HACD::Real>>;
 using Triangles = std::vector<HACD::Vec3<long>>;
 
-constexpr double kConvexShare = 0.9;      // of the hull's volume that is solid in a convex object
+// Settings of the decomposition, chosen by eye but for the connect distance.
+constexpr double kConvexShare = 0.9;      // share of the hull's volume that is solid in a convex object
 constexpr double kConcavity = 20.0;       // depth of a dent that may stay, in thousandths of the object's size
 constexpr double kCompactness = 1e-4;     // weight of compact parts against shallow dents
-constexpr double kConnectDistance = 0.0;  // the surface is connected
-constexpr int kMaxVertices = 100;         // per part
+constexpr double kConnectDistance = 0.0;  // [m] the surface is connected already
+constexpr int kMaxVertices = 100;         // vertices of one part
 
 HACD::Vec3<HACD::Real> to_hacd(const Eigen::RowVector3f& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Vertices of one part; HACD wants room for its triangles too.
+/// Gives the vertices of one part. HACD wants room for the part's triangles too.
 Points part_vertices(HACD::HACD& hacd, std::size_t part) {
   Vertices vertices(hacd.GetNPointsCH(part));
   Triangles triangles(hacd.GetNTrianglesCH(part));
@@ -49,7 +50,7 @@ std::vector<ConvexPart> decompose(const TriangleMesh& mesh) {
   hacd.SetNPoints(vertices.size());
   hacd.SetTriangles(triangles.data());
   hacd.SetNTriangles(triangles.size());
-  hacd.SetNClusters(1);  // at least
+  hacd.SetNClusters(1);  // parts at least
   hacd.SetConcavity(kConcavity);
   hacd.SetCompacityWeight(kCompactness);
   hacd.SetVolumeWeight(0.0);
@@ -64,7 +65,7 @@ std::vector<ConvexPart> decompose(const TriangleMesh& mesh) {
     try {
       parts.push_back(convex_hull(part_vertices(hacd, part)));
     } catch (const std::invalid_argument&) {
-      continue;  // a flat part adds nothing to the volume
+      continue;  // a flat part has no volume to add
     }
   }
   return parts;

@@ -19,14 +19,15 @@ namespace rigidformer {
 namespace {
 
 using Tetrahedron = std::array<int, 4>;
-using Face = std::array<int, 3>;  // corners in rising order
+using Face = std::array<int, 3>;  // rows of the corners, in rising order
 
-/// A gap, in units of the largest hole that random samples of a surface are expected to leave.
+/// Width of a gap that lets air in, over the largest hole that random samples of a surface are
+/// expected to leave. Chosen by eye.
 constexpr double kGapInHoles = 1.5;
-constexpr Eigen::Index kMinPoints = 20;  // fewer say nothing about dents
-constexpr double kMinSolidShare = 0.3;   // of the volume of the hull
+constexpr Eigen::Index kMinPoints = 20;  // points; fewer say nothing about dents; chosen by eye
+constexpr double kMinSolidShare = 0.3;   // share of the hull's volume that must be solid; chosen by eye
 
-/// Qhull's state, released whatever happens.
+/// Qhull's state, released also when an exception passes.
 class Delaunay {
  public:
   explicit Delaunay(const Points& points) : coordinates_(points.cast<double>()) {
@@ -45,7 +46,7 @@ class Delaunay {
 
   std::vector<Tetrahedron> tetrahedra() {
     std::vector<Tetrahedron> all;
-    qhT* qh = &qhull_;  // Qhull's loops want this name
+    qhT* qh = &qhull_;  // Qhull's loops want a variable of this name
     facetT* facet;
     FORALLfacets {
       if (facet->upperdelaunay) continue;
@@ -99,7 +100,7 @@ double expected_hole(const Points& points) {
   return std::sqrt(nearest[nearest.size() / 2] * std::log2(static_cast<double>(points.rows())));
 }
 
-/// Face opposite corner `k`.
+/// The face opposite to corner `k`.
 Face face_of(const Tetrahedron& t, int k) {
   Face face{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]};
   std::sort(face.begin(), face.end());
@@ -132,7 +133,7 @@ std::vector<bool> find_air(const Points& points, const std::vector<Tetrahedron>&
   return air;
 }
 
-/// The face turned so that it faces away from the fourth corner.
+/// The face, turned so that it faces away from the fourth corner.
 Eigen::RowVector3i outward(const Points& points, const Face& face, int fourth) {
   const Eigen::Vector3d a = point(points, face[0]);
   const Eigen::Vector3d normal = (point(points, face[1]) - a).cross(point(points, face[2]) - a);
@@ -140,7 +141,7 @@ Eigen::RowVector3i outward(const Points& points, const Face& face, int fourth) {
                                                      : Eigen::RowVector3i(face[0], face[2], face[1]);
 }
 
-/// The used points with new numbers.
+/// Keeps the points that are used and numbers them anew.
 TriangleMesh compact(const Points& points, const std::vector<Eigen::RowVector3i>& triangles) {
   std::map<int, int> numbers;
   TriangleMesh mesh;

@@ -12,11 +12,12 @@
 
 #include "mujoco_scene.hpp"
 #include "rigidformer/baselines/observed_body.hpp"
+#include "rigidformer/simulation/observed_motion.hpp"
 
 namespace rigidformer {
 namespace {
 
-constexpr int kSolverStepsPerFrame = 16;
+constexpr int kSolverStepsPerFrame = 16;  // shorter steps make stiffer contacts (contact_spring.hpp); chosen by eye
 
 struct Deleter {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -25,7 +26,7 @@ struct Deleter {
 using ModelPtr = std::unique_ptr<mjModel, Deleter>;
 using DataPtr = std::unique_ptr<mjData, Deleter>;
 
-/// Model from XML text, handed over as a file in memory.
+/// Compiles the model of an XML text, which is handed over as a file in memory.
 ModelPtr compile(const std::string& xml) {
   constexpr const char* kFile = "scene.xml";
   const auto files = std::make_unique<mjVFS>();  // 2 MB: too large for the stack
@@ -42,8 +43,8 @@ ModelPtr compile(const std::string& xml) {
   return model;
 }
 
-/// MuJoCo wants the velocity of the body's origin in the world and the spin in the body. Starting half a kick of
-/// gravity back makes free flight exact, since bodies move by the velocity after the kick.
+/// Sets the state of a body. MuJoCo wants the velocity of the body's origin in world and the spin in the body's frame.
+/// Starting half a kick of gravity back makes free flight exact, since bodies move by the velocity after the kick.
 void set_state(const mjModel& model, mjData& data, int i, const BodyState& state) {
   const RigidTransform& T = state.T_world_object;
   const Eigen::Quaterniond& q = T.rotation;
@@ -53,8 +54,8 @@ void set_state(const mjModel& model, mjData& data, int i, const BodyState& state
       q.conjugate() * state.angular_velocity;
 }
 
-/// Convex hulls of concave neighbours overlap where the objects do not, and springs that are pressed in from the start
-/// would shoot them apart: every pair pushes only where it is deeper than at first.
+/// Makes every pair push only where it is deeper than at first. Convex hulls of concave neighbours overlap where the
+/// objects do not, and springs that are pressed in from the start would shoot them apart.
 void accept_overlaps(mjModel& model, mjData& data) {
   mj_fwdPosition(&model, &data);
   for (int c = 0; c < data.ncon; ++c) {
@@ -74,7 +75,7 @@ RigidTransform pose(const mjData& data, int i) {
   return {Eigen::Quaterniond(q[3], q[4], q[5], q[6]).normalized(), {q[0], q[1], q[2]}};
 }
 
-/// MuJoCo resets the scene when numbers stop being finite, and counts that as a warning.
+/// Tells whether numbers have stopped being finite: MuJoCo then resets the scene and counts a warning.
 bool has_diverged(const mjData& data) {
   return data.warning[mjWARN_BADQPOS].number > 0 || data.warning[mjWARN_BADQVEL].number > 0 ||
          data.warning[mjWARN_BADQACC].number > 0;
@@ -85,7 +86,7 @@ bool has_diverged(const mjData& data) {
 std::vector<std::vector<RigidTransform>> MujocoForecaster::forecast(const std::vector<ObjectState>& objects,
                                                                     const RolloutOptions& rollout) {
   const std::vector<ObservedBody> bodies = observe_bodies(objects, rollout);
-  const int substeps = kSolverStepsPerFrame * substeps_per_step(rollout);
+  const int substeps = kSolverStepsPerFrame * observed_world(rollout.time_step_s, rollout.gravity).substeps;
   mju_user_warning = [](const char*) {};  // else they go to a file in the current folder
   const ModelPtr model = compile(mujoco_scene(bodies, rollout.gravity, rollout.time_step_s / substeps));
   const DataPtr data(mj_makeData(model.get()));

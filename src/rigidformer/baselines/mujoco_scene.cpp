@@ -12,7 +12,7 @@ namespace rigidformer {
 namespace {
 
 constexpr double kTorsionalFriction = 0.005;  // [m], MuJoCo's default
-constexpr double kImpedance = 0.99;  // close to rigid; constant, so that stiffness and damping are what they say
+constexpr double kImpedance = 0.99;  // near rigid (by eye); constant, so that stiffness and damping are what they say
 
 void write_mesh(std::ostream& xml, std::size_t i, const ConvexPart& hull) {
   xml << "<mesh name='mesh" << i << "' vertex='" << hull.vertices.reshaped<Eigen::RowMajor>().transpose() << "' face='"
@@ -28,14 +28,14 @@ void write_pair(std::ostream& xml, const std::string& geom1, const std::string& 
 }
 
 void write_pairs(std::ostream& xml, const std::vector<ObservedBody>& bodies, double solver_step_s) {
-  const BulletSettings movi;  // its floor
+  const BulletSettings movi;  // settings of the floor
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::string geom = "geom" + std::to_string(i);
-    const PhysicalProperties& a = bodies[i].properties;
+    const BodyProperties& a = bodies[i].properties;
     write_pair(xml, "floor", geom, *a.friction * movi.floor_friction, *a.restitution * movi.floor_restitution,
                solver_step_s);
     for (std::size_t j = 0; j < i; ++j) {
-      const PhysicalProperties& b = bodies[j].properties;
+      const BodyProperties& b = bodies[j].properties;
       write_pair(xml, "geom" + std::to_string(j), geom, *a.friction * *b.friction, *a.restitution * *b.restitution,
                  solver_step_s);
     }
@@ -53,7 +53,7 @@ std::string mujoco_scene(const std::vector<ObservedBody>& bodies, double gravity
       << "' cone='elliptic' impratio='10'><flag multiccd='enable'/></option>\n<size nconmax='" << max_contacts
       << "' njmax='" << 4 * max_contacts << "'/>\n<asset>\n";
   for (std::size_t i = 0; i < bodies.size(); ++i) write_mesh(xml, i, bodies[i].parts.front());
-  // Geoms touch only in the pairs below.
+  // Without contact types, geoms touch only in the pairs that are listed below.
   xml << "</asset>\n<default><geom contype='0' conaffinity='0'/></default>\n<worldbody>\n"
       << "<geom name='floor' type='plane' size='0 0 1'/>\n";
   for (std::size_t i = 0; i < bodies.size(); ++i) {

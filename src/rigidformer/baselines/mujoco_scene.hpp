@@ -9,8 +9,8 @@
 
 namespace rigidformer {
 
-/// The bodies, one hull each, above a floor plane z = 0 as a MuJoCo model in XML: body i has joint coordinates 7 i ...
-/// 7 i + 6.
+/// Writes the bodies, one hull each, above a floor plane z = 0 as a MuJoCo model in XML. Body i has the
+/// joint coordinates 7 i ... 7 i + 6.
 std::string mujoco_scene(const std::vector<ObservedBody>& bodies, double gravity, double solver_step_s);
 
 }  // namespace rigidformer

@@ -3,33 +3,23 @@
 #include "rigidformer/baselines/observed_body.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "rigidformer/simulation/convex_hull.hpp"
 #include "rigidformer/simulation/mesh_volume.hpp"
+#include "rigidformer/simulation/observed_motion.hpp"
 
 namespace rigidformer {
 namespace {
-
-constexpr double kTouching_m = 0.01;     // of the floor; sampled points miss the lowest corner by a little
-constexpr double kUnknownDensity = 1.0;  // [kg/m^3]
-constexpr double kUnknownFriction = 0.5;
-constexpr double kUnknownRestitution = 0.5;
-constexpr double kSolverRate_hz = 240.0;
 
 void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument("physics engine: " + message);
 }
 
-double lowest_point(const std::vector<ConvexPart>& parts, const RigidTransform& T_ground_body) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const ConvexPart& part : parts) {
-    lowest = std::min<double>(lowest, T_ground_body.apply(part.vertices).col(2).minCoeff());
-  }
-  return lowest;
+bool touches_floor(const ObservedBody& body, const RigidTransform& T_ground_body) {
+  return std::any_of(body.parts.begin(), body.parts.end(),
+                     [&](const ConvexPart& part) { return touches_floor(part.vertices, T_ground_body); });
 }
 
 RigidTransform on_ground(const RigidTransform& T_world_reference, const ObservedBody& body,
@@ -42,14 +32,9 @@ RigidTransform on_ground(const RigidTransform& T_world_reference, const Observed
 /// Motion at the later of two poses.
 BodyState state_from_two_poses(const ObservedBody& body, const ObjectState& object, const RolloutOptions& rollout) {
   const RigidTransform before = on_ground(object.T_world_previous, body, rollout);
-  BodyState state;
-  state.T_world_object = on_ground(object.T_world_current, body, rollout);
-  state.velocity = (state.T_world_object.translation - before.translation) / rollout.time_step_s;
-  const bool on_floor =
-      lowest_point(body.parts, before) < kTouching_m && lowest_point(body.parts, state.T_world_object) < kTouching_m;
-  if (!on_floor) state.velocity.z() += 0.5 * rollout.gravity * rollout.time_step_s;
-  state.angular_velocity =
-      rotation_vector(state.T_world_object.rotation * before.rotation.conjugate()) / rollout.time_step_s;
+  BodyState state = mean_motion(before, on_ground(object.T_world_current, body, rollout), rollout.time_step_s);
+  const bool on_floor = touches_floor(body, before) && touches_floor(body, state.T_world_object);
+  if (!on_floor) state.velocity.z() += half_fall(rollout.time_step_s, rollout.gravity);
   return state;
 }
 
@@ -65,9 +50,7 @@ ObservedBody observe_body(const ObjectState& object, const RolloutOptions& rollo
   body.T_reference_body.translation = measured.centroid;
   for (ConvexPart& part : body.parts) part.vertices.rowwise() -= measured.centroid.transpose().cast<float>();
   body.state = state_from_two_poses(body, object, rollout);
-  body.properties.mass_kg = object.properties.mass_kg.value_or(kUnknownDensity * measured.volume_m3);
-  body.properties.friction = object.properties.friction.value_or(kUnknownFriction);
-  body.properties.restitution = object.properties.restitution.value_or(kUnknownRestitution);
+  body.properties = with_means(object.properties, measured.volume_m3);
   return body;
 }
 
@@ -90,10 +73,6 @@ RigidTransform reference_pose(const ObservedBody& body, const RigidTransform& T_
   RigidTransform T_world_reference = T_ground_body * body.T_reference_body.inverse();
   T_world_reference.translation.z() += *rollout.ground_height_m;
   return T_world_reference;
-}
-
-int substeps_per_step(const RolloutOptions& rollout) {
-  return std::max(1, static_cast<int>(std::lround(kSolverRate_hz * rollout.time_step_s)));
 }
 
 }  // namespace rigidformer

@@ -17,9 +17,11 @@ namespace {
 
 constexpr char kGeometryFile[] = "collision_geometry.obj";
 constexpr char kDataFile[] = "data.json";
-constexpr std::uintmax_t kMaxGeometryBytes = 16u << 20;
-constexpr std::uintmax_t kMaxDataBytes = 1u << 20;
-constexpr double kConvexityTolerance = 2e-3;  // [m]: published hulls are rounded to six digits and merged loosely
+constexpr std::uintmax_t kMaxGeometryBytes = 16u << 20;  // [bytes] bound on memory, as in docs/data_format.md; by eye
+constexpr std::uintmax_t kMaxDataBytes = 1u << 20;  // [bytes] bound on memory, see docs/data_format.md; chosen by eye
+// A vertex may lie this far outside a face [m]: published hulls are rounded to six digits and
+// merged loosely. Chosen by eye.
+constexpr double kConvexityTolerance = 2e-3;
 
 const std::map<std::string, double>& mass_table() {
   static const std::map<std::string, double> table = {{"cone", 0.4774},  {"cube", 0.9936},      {"cylinder", 0.7808},
@@ -33,7 +35,7 @@ const std::map<std::string, double>& mass_table() {
   throw std::runtime_error("shape '" + path.string() + "': " + defect);
 }
 
-/// Growing part of an OBJ file; face indices of OBJ count all vertices of the file from 1.
+/// Part of an OBJ file while it is read. Face indices of OBJ count all vertices of the file from 1.
 struct PartBuilder {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<Eigen::Vector3i> triangles;
@@ -106,7 +108,7 @@ void orient_and_check(const std::filesystem::path& path, std::size_t index, Conv
       normal = -normal;
     }
     const float highest = ((part.vertices * normal).array() - normal.dot(a)).maxCoeff();
-    // Slivers have no reliable plane.
+    // Slivers have no reliable plane and are not checked.
     const float height = (b - a).cross(c - a).norm() / std::max({(b - a).norm(), (c - a).norm(), (c - b).norm()});
     if (highest > kConvexityTolerance && height > kConvexityTolerance) {
       fail(path, "group " + std::to_string(index) + " is not convex (a vertex lies " + std::to_string(highest) +
@@ -145,7 +147,7 @@ double volume(const Shape& shape) {
   return std::abs(total);
 }
 
-/// Mass from data.json; 0 and the defect when it cannot be had.
+/// Reads the mass from data.json; returns 0 and the defect when it cannot be read.
 double mass_from_data_file(const std::filesystem::path& path, std::string& defect) {
   try {
     const nlohmann::json sheet = nlohmann::json::parse(read_text_file(path, kMaxDataBytes));

@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr char kFileName[] = "metadata.json";
-constexpr std::uintmax_t kMaxFileBytes = 64u << 20;
+constexpr std::uintmax_t kMaxFileBytes = 64u << 20;  // [bytes] bound on memory, see docs/data_format.md; chosen by eye
 
-/// A JSON value that knows where it stands, so that every error names file and key.
+/// A JSON value that knows its place in the file, so that every error names file and key.
 class Node {
  public:
   Node(const std::filesystem::path& file, std::string key, const Json& value)
@@ -137,7 +137,7 @@ Json to_json(const std::vector<Eigen::Vector3d>& vectors) {
 
 Json to_json(const RecordedObject& object) {
   Json instance = {{"asset_id", object.shape}, {"size", object.size}};
-  const PhysicalProperties& properties = object.properties;
+  const BodyProperties& properties = object.properties;
   if (properties.mass_kg) instance["mass"] = *properties.mass_kg;
   if (properties.friction) instance["friction"] = *properties.friction;
   if (properties.restitution) instance["restitution"] = *properties.restitution;

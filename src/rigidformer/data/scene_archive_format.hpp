@@ -11,8 +11,8 @@
 namespace rigidformer::scene_archive_format {
 
 constexpr char kFormat[] = "rigidformer_scenes";
-constexpr int kVersion = 1;
-constexpr std::size_t kPoseSize = 7;  ///< x y z qx qy qz qw
+constexpr int kVersion = 1;           // version of the layout; readers refuse others
+constexpr std::size_t kPoseSize = 7;  ///< numbers of a pose: x y z qx qy qz qw
 
 [[noreturn]] inline void fail(const std::filesystem::path& path, const std::string& defect) {
   throw std::runtime_error("scene archive '" + path.string() + "': " + defect);

@@ -68,8 +68,8 @@ class Reader {
   const TensorFile& file_;
 };
 
-constexpr std::int64_t kAny = -1;
-constexpr std::int64_t kMaxFrames = 1000000;
+constexpr std::int64_t kAny = -1;             // any number of rows
+constexpr std::int64_t kMaxFrames = 1000000;  // over an hour at 240 Hz, see docs/data_format.md; chosen by eye
 
 std::vector<Shape> unpack_shapes(const Reader& reader) {
   std::vector<Shape> shapes;
@@ -135,7 +135,7 @@ std::vector<RigidTransform> unpack_poses(const Reader& reader, const float* valu
   return poses;
 }
 
-/// NaN stands for "not known".
+/// Turns NaN, which stands for "not known", into an empty value.
 std::optional<double> known(const Reader& reader, const char* name, double value) {
   if (std::isnan(value)) return std::nullopt;
   if (!(value >= 0.0) || std::isinf(value)) reader.fail_here(std::string(name) + " = " + std::to_string(value));

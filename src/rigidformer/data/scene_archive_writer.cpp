@@ -36,14 +36,14 @@ void pack_shapes(const SceneArchive& archive, TensorFile& file) {
   file.tensors["triangles"] = make_raw_tensor(TensorType::kInt32, {signed_size(triangles.size() / 3), 3}, triangles);
 }
 
-/// Columns of the object table while they grow.
+/// The columns of the object table while they grow.
 struct ObjectColumns {
   std::vector<std::int32_t> scene, shape;
   std::vector<double> size, mass, friction, restitution;
   std::vector<float> poses;
 
   void add(std::size_t scene_index, std::int32_t shape_index, const RecordedObject& object) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // as docs/data_format.md asks for
     scene.push_back(static_cast<std::int32_t>(scene_index));
     shape.push_back(shape_index);
     size.push_back(object.size);

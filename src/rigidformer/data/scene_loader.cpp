@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr char kArchiveExtension[] = ".safetensors";
 constexpr char kSceneFile[] = "metadata.json";
 constexpr char kShapesFolder[] = "shapes";
-constexpr char kGenerationFile[] = "generation.json";
+constexpr char kGenerationFile[] = "generation.json";  // written by the scene generator beside its scenes
 
 [[noreturn]] void fail(const fs::path& path, const std::string& defect) {
   throw std::runtime_error("scenes '" + path.string() + "': " + defect);
@@ -30,7 +30,7 @@ bool is_full(const SceneArchive& archive, int max_scenes) {
   return max_scenes > 0 && static_cast<int>(archive.scenes.size()) >= max_scenes;
 }
 
-/// Numbered names in numeric order (2 before 10), others alphabetically.
+/// Orders numbered names by their number (2 before 10) and others alphabetically.
 bool natural_less(const fs::path& a, const fs::path& b) {
   const std::string x = a.filename().string();
   const std::string y = b.filename().string();
@@ -56,7 +56,7 @@ std::vector<fs::path> find_archives(const fs::path& folder) {
   return archives;
 }
 
-/// Scene folders in `folder` itself, one or two levels below.
+/// Finds the scene folders in `folder` itself and one or two levels below.
 std::vector<fs::path> find_kubric_scenes(const fs::path& folder, int levels = 2) {
   if (fs::exists(folder / kSceneFile)) return {folder};
   std::vector<fs::path> scenes;
@@ -107,7 +107,7 @@ SceneArchive load_archives(const std::vector<fs::path>& paths, int max_scenes) {
   return all;
 }
 
-/// The set noted by the scene generator, else the name of the folder.
+/// The name of the set that the scene generator noted, else the name of the folder.
 std::string set_name(const fs::path& folder) {
   std::ifstream in(folder / kGenerationFile);
   if (in) {
@@ -117,7 +117,7 @@ std::string set_name(const fs::path& folder) {
   return fs::absolute(folder).lexically_normal().filename().string();
 }
 
-/// Keeps the shapes that the scenes use. Throws when one is missing.
+/// Keeps the shapes that the scenes use. Throws when one of them is missing.
 std::vector<Shape> used_shapes(const SceneArchive& archive, const std::vector<Shape>& library, const fs::path& path) {
   std::set<std::string> names;
   for (const SceneRecording& scene : archive.scenes) {

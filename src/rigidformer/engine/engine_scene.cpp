@@ -2,29 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine_scene.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/engine/observed_hull.hpp"
-#include "rigidformer/model/scene_input.hpp"
+#include "rigidformer/simulation/observed_motion.hpp"
 
 namespace rigidformer {
 namespace {
 
-constexpr double kTouching_m = 0.01;       // of the ground; sampled points miss the lowest corner by a little
-constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground rests or rolls
-constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point at most
-constexpr double kUnknownDensity = 1.0;    // [kg/m^3]
+constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground lies or rolls
+constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point, above which a body is not about to tip
 
 double value(const Tensor& tensor) { return tensor.item<double>(); }
-
-BulletSettings settings_of(double time_step_s, double gravity) {
-  BulletSettings settings;
-  settings.frame_rate_hz = 1.0 / time_step_s;
-  settings.substeps = std::max(1, static_cast<int>(std::lround(kFrameRateHz * time_step_s)));
-  settings.gravity = {0.0, 0.0, gravity};
-  return settings;
-}
 
 /// The points [N, 3] of a cloud [M, 3] that a mask [M] keeps.
 Points to_points(const Tensor& cloud, const Tensor& mask) {
@@ -33,24 +25,25 @@ Points to_points(const Tensor& cloud, const Tensor& mask) {
 }
 
 /// What was seen of object `k` of scene `b`.
-Points seen_points(const SceneBatch& batch, int64_t b, int64_t k) {
+Points seen_points(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
   if (batch.surface_points.defined()) return to_points(batch.surface_points[b][k], batch.surface_mask[b][k]);
   return to_points(batch.points_reference[b][k], batch.point_mask[b][k]);
 }
 
 /// What is guessed beside it; may be empty.
-Points hidden_points(const SceneBatch& batch, int64_t b, int64_t k) {
+Points hidden_points(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
   if (!batch.hidden_points.defined()) return {};
-  const int64_t P = batch.hidden_points.size(2);
+  const std::int64_t P = batch.hidden_points.size(2);
   return to_points(batch.hidden_points[b][k], batch.point_mask[b][k].slice(0, 0, P));
 }
 
-/// Material with stand-ins for what is unknown.
-PhysicalProperties properties_of(const SceneBatch& batch, int64_t b, int64_t k, double volume_m3) {
+/// Material as far as it is known.
+BodyProperties known_properties(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
   const Tensor known = batch.properties_known[b][k] > 0.0;
   const Tensor properties = batch.properties[b][k];
-  const double stand_in[] = {kUnknownDensity * volume_m3, kMeanFriction, kMeanRestitution};
-  const auto property = [&](int64_t i) { return known[i].item<bool>() ? value(properties[i]) : stand_in[i]; };
+  const auto property = [&](std::int64_t i) {
+    return known[i].item<bool>() ? std::optional<double>(value(properties[i])) : std::nullopt;
+  };
   return {property(0), property(1), property(2)};
 }
 
@@ -60,19 +53,23 @@ bool is_finite(const BodyState& state) {
 
 }  // namespace
 
-EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference, int64_t b)
+EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b)
     : scene_(b),
       time_step_s_(value(batch.step_size[b]) / kFrameRateHz),
       gravity_(value(batch.gravity[b])),
       ground_height_m_(value(batch.ground_height[b])),
-      world_(settings_of(time_step_s_, gravity_)) {
+      world_(observed_world(time_step_s_, gravity_)) {
   std::vector<Solid> solids;
   double total_mass_kg = 0.0;
-  for (int64_t k = 0; k < batch.max_objects(); ++k) {
+  for (std::int64_t k = 0; k < batch.max_objects(); ++k) {
     if (!batch.object_mask[b][k].item<bool>()) continue;
     const Tensor c = centre_reference[b][k];
     bodies_.push_back({k, batch.dynamic_mask[b][k].item<bool>(), {value(c[0]), value(c[1]), value(c[2])}, {}, false});
-    solids.push_back(observe_solid(batch, b, bodies_.back()));
+    try {
+      solids.push_back(observe_solid(batch, b, bodies_.back()));
+    } catch (const std::invalid_argument& error) {
+      throw BodyError(k, error.what());
+    }
     total_mass_kg += *solids.back().properties.mass_kg;
   }
   // Only ratios of masses matter to the motion, but the solver's tolerances are meant for masses of about 1 kg.
@@ -83,12 +80,15 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
   }
 }
 
-EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, int64_t b, Body& body) {
+EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, std::int64_t b, Body& body) {
   const ObservedHull observed =
       observe_hull(seen_points(batch, b, body.object), body.centre_reference, hidden_points(batch, b, body.object));
+  if (!observed.centre_of_mass.allFinite() || !(observed.volume_m3 > 0.0)) {
+    throw std::invalid_argument("the hull of its points has no volume");
+  }
   body.centre_reference = observed.centre_of_mass;
   body.fully_known = observed.complete && (batch.properties_known[b][body.object] > 0.0).all().item<bool>();
-  return {observed.hull, properties_of(batch, b, body.object, observed.volume_m3)};
+  return {observed.hull, with_means(known_properties(batch, b, body.object), observed.volume_m3)};
 }
 
 void EngineScene::add_body(const Solid& solid, Body& body) {
@@ -119,27 +119,22 @@ void EngineScene::step(PoseTable& previous, PoseTable& current, Tensor& certain)
 }
 
 BodyState EngineScene::observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const {
-  BodyState state;
-  const RigidTransform start = on_ground(body, before);
-  state.T_world_object = on_ground(body, now);
-  state.velocity = (state.T_world_object.translation - start.translation) / time_step_s_;
-  state.angular_velocity = rotation_vector(state.T_world_object.rotation * start.rotation.conjugate()) / time_step_s_;
-  if (falls(body, state)) state.velocity.z() += half_fall();
+  BodyState state = mean_motion(on_ground(body, before), on_ground(body, now), time_step_s_);
+  if (falls(body, state)) state.velocity.z() += fall_before_step();
   return state;
 }
 
 RigidTransform EngineScene::departure(const Body& body, const BodyState& arrived) const {
   Eigen::Vector3d velocity = arrived.velocity;
-  if (falls(body, arrived)) velocity.z() -= half_fall();
+  if (falls(body, arrived)) velocity.z() -= fall_before_step();
   const Eigen::Quaterniond back = rotation_about(-time_step_s_ * arrived.angular_velocity);
   return {back * arrived.T_world_object.rotation, arrived.T_world_object.translation - velocity * time_step_s_};
 }
 
-/// Two poses of a falling body show the velocity between them: gravity adds half a step to it. Bullet moves by the
-/// velocity after a kick of gravity: starting half a kick back makes free flight exact.
-double EngineScene::half_fall() const {
-  const BulletSettings settings = settings_of(time_step_s_, gravity_);
-  return 0.5 * gravity_ * time_step_s_ * (1.0 - 1.0 / settings.substeps);
+/// Bullet moves by the velocity after a kick of gravity: starting half a kick back makes free flight exact.
+double EngineScene::fall_before_step() const {
+  const int kicks = observed_world(time_step_s_, gravity_).substeps;
+  return half_fall(time_step_s_, gravity_) * (1.0 - 1.0 / kicks);
 }
 
 /// Whether something keeps still or tips over depends on the few points it stands on, which a sampled hull misses.
@@ -149,8 +144,8 @@ bool EngineScene::is_certain(const Body& body, const BodyState& state) {
 }
 
 bool EngineScene::falls(const Body& body, const BodyState& state) const {
-  const bool carried = std::abs(state.velocity.z()) < kCarriedSpeed_mps &&
-                       state.T_world_object.apply(body.hull).col(2).minCoeff() < kTouching_m;
+  const bool carried =
+      std::abs(state.velocity.z()) < kCarriedSpeed_mps && touches_floor(body.hull, state.T_world_object);
   return body.dynamic && !carried;
 }
 

@@ -13,7 +13,7 @@ namespace rigidformer {
 class EngineScene {
  public:
   /// Scene `b` of the batch; centre_reference [B, K, 3] in double precision; all on the CPU.
-  EngineScene(const SceneBatch& batch, const Tensor& centre_reference, int64_t b);
+  EngineScene(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b);
 
   /// Takes the poses one step ahead: `current` to t + 1, `previous` to where free motion departs at t to arrive there
   /// with the velocities that the bodies have. Writes into `certain` [B, K] bool for which objects nothing is guessed.
@@ -21,7 +21,7 @@ class EngineScene {
 
  private:
   struct Body {
-    int64_t object = 0;                ///< Index k in the batch
+    std::int64_t object = 0;           ///< Index k in the batch
     bool dynamic = true;               ///< Else its motion is given
     Eigen::Vector3d centre_reference;  ///< Centre of mass in the reference frame [m]
     Points hull;                       ///< Vertices relative to the centre of mass [m]
@@ -30,20 +30,20 @@ class EngineScene {
 
   struct Solid {
     ConvexPart hull;
-    PhysicalProperties properties;  ///< Complete
+    BodyProperties properties;  ///< Complete
   };
 
-  static Solid observe_solid(const SceneBatch& batch, int64_t b, Body& body);
+  static Solid observe_solid(const SceneBatch& batch, std::int64_t b, Body& body);
   void add_body(const Solid& solid, Body& body);
   BodyState observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const;
   RigidTransform departure(const Body& body, const BodyState& arrived) const;
-  double half_fall() const;
+  double fall_before_step() const;
   bool falls(const Body& body, const BodyState& state) const;
   static bool is_certain(const Body& body, const BodyState& state);
   RigidTransform on_ground(const Body& body, const RigidTransform& T_world_reference) const;
   RigidTransform from_ground(const Body& body, RigidTransform T_ground_body) const;
 
-  int64_t scene_;
+  std::int64_t scene_;
   double time_step_s_, gravity_, ground_height_m_;
   BulletWorld world_;
   std::vector<Body> bodies_;

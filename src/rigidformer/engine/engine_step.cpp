@@ -14,35 +14,22 @@
 namespace rigidformer {
 
 #ifdef RIGIDFORMER_HAS_BULLET
-namespace {
-
-/// Everything the engine reads: one transfer per tensor instead of one per number.
-SceneBatch on_cpu(SceneBatch batch) {
-  for (Tensor* tensor : {&batch.points_reference, &batch.point_mask, &batch.object_mask, &batch.surface_points,
-                         &batch.surface_mask, &batch.hidden_points, &batch.properties, &batch.properties_known,
-                         &batch.dynamic_mask, &batch.step_size, &batch.ground_height, &batch.gravity}) {
-    if (tensor->defined()) *tensor = tensor->to(torch::kCPU);
-  }
-  return batch;
-}
-
-}  // namespace
 
 EngineStep make_engine_step(const ModelOptions& options, const SceneBatch& batch, const Tensor& centre_reference) {
   if (!options.engine_motion) return {};
   torch::NoGradGuard no_grad;
   const auto scenes = std::make_shared<std::vector<EngineScene>>();
-  const SceneBatch scene_batch = on_cpu(batch);
+  const SceneBatch scene_batch = batch.to(torch::kCPU);  // one transfer per tensor instead of one per number
   const Tensor centre = centre_reference.to(torch::kCPU, torch::kFloat64);
-  const int64_t B = batch.num_scenes();
-  for (int64_t b = 0; b < B; ++b) scenes->emplace_back(scene_batch, centre, b);
+  const std::int64_t B = batch.num_scenes();
+  for (std::int64_t b = 0; b < B; ++b) scenes->emplace_back(scene_batch, centre, b);
   const Tensor none_certain = torch::zeros_like(scene_batch.object_mask);
   return [scenes, none_certain, B](const SceneState& state) {
     torch::NoGradGuard no_grad;
     PoseTable current(state.current), previous(state.previous);
     Tensor certain = none_certain.clone();
-    at::parallel_for(0, B, 1, [&](int64_t begin, int64_t end) {
-      for (int64_t b = begin; b < end; ++b) (*scenes)[static_cast<size_t>(b)].step(previous, current, certain);
+    at::parallel_for(0, B, 1, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t b = begin; b < end; ++b) (*scenes)[static_cast<size_t>(b)].step(previous, current, certain);
     });
     return EngineMotion{current.to_pose(state.current), previous.to_pose(state.current),
                         certain.to(state.current.rotation.device())};

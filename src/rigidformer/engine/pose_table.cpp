@@ -14,15 +14,15 @@ Tensor to_table(const Tensor& tensor) { return torch::empty(tensor.sizes(), torc
 
 PoseTable::PoseTable(const Pose& pose) : rotation_(to_table(pose.rotation)), translation_(to_table(pose.translation)) {}
 
-RigidTransform PoseTable::get(int64_t b, int64_t k) const {
-  const int64_t row = b * rotation_.size(1) + k;
+RigidTransform PoseTable::get(std::int64_t b, std::int64_t k) const {
+  const std::int64_t row = b * rotation_.size(1) + k;
   const Eigen::Matrix3d R = Eigen::Map<const RowMatrix>(rotation_.data_ptr<double>() + 9 * row);
   return {Eigen::Quaterniond(R).normalized(),
           Eigen::Map<const Eigen::Vector3d>(translation_.data_ptr<double>() + 3 * row)};
 }
 
-void PoseTable::set(int64_t b, int64_t k, const RigidTransform& T) {
-  const int64_t row = b * rotation_.size(1) + k;
+void PoseTable::set(std::int64_t b, std::int64_t k, const RigidTransform& T) {
+  const std::int64_t row = b * rotation_.size(1) + k;
   Eigen::Map<RowMatrix>(rotation_.data_ptr<double>() + 9 * row) = T.rotation.toRotationMatrix();
   Eigen::Map<Eigen::Vector3d>(translation_.data_ptr<double>() + 3 * row) = T.translation;
 }

@@ -12,8 +12,8 @@ class PoseTable {
  public:
   explicit PoseTable(const Pose& pose);
 
-  RigidTransform get(int64_t b, int64_t k) const;
-  void set(int64_t b, int64_t k, const RigidTransform& T);
+  RigidTransform get(std::int64_t b, std::int64_t k) const;
+  void set(std::int64_t b, std::int64_t k, const RigidTransform& T);
 
   /// In the type and on the device of `like`.
   Pose to_pose(const Pose& like) const;

@@ -19,7 +19,7 @@ PoseError root_mean_square(const std::vector<PoseError>& objects) {
   return {std::sqrt(sum.position_rmse_m / count), std::sqrt(sum.orientation_rmse_deg / count)};
 }
 
-/// Reduces every list of errors to one.
+/// Reduces every list of errors to one error with `reduce`.
 template <typename Group, typename Reduce>
 std::map<RoundKey, std::map<Group, PartialScore>> reduced(
     const std::map<RoundKey, std::map<Group, std::vector<PoseError>>>& errors, Reduce reduce) {

@@ -16,9 +16,9 @@ namespace {
 
 using Poses = std::vector<RigidTransform>;
 
-constexpr double kMargin_m = 0.8;  // around the outermost object's origin
+constexpr double kMargin_m = 0.8;  // [m] shown around the origins of the outermost objects; chosen by eye
 
-/// One line per point: position and the object's number.
+/// Writes one line per point: its position and the number of the object.
 void write_block(std::ostream& script, const std::string& name, const std::vector<ObjectState>& objects,
                  const Poses& T_world_object) {
   script << '$' << name << " << EOD\n";

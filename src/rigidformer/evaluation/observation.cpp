@@ -11,9 +11,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr std::size_t kMinPoints = 4;
+constexpr std::size_t kMinPoints = 4;  // points of an object at least, as ObjectState asks for
 
-/// FNV-1a: unlike std::hash the same everywhere, so that a shape has the same samples on every machine.
+/// Hashes a name by FNV-1a. Unlike std::hash it is the same everywhere, so that a shape has the
+/// same samples on every machine.
 std::uint64_t stable_hash(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char c : text) {
@@ -22,7 +23,7 @@ std::uint64_t stable_hash(const std::string& text) {
   return hash;
 }
 
-/// Rows in the order of falling `rank` as long as it is positive, and at least kMinPoints of them.
+/// Gives the rows in the order of falling `rank` as long as it is positive, and at least kMinPoints of them.
 std::vector<Eigen::Index> best_rows(const std::vector<float>& rank) {
   std::vector<Eigen::Index> rows(rank.size());
   std::iota(rows.begin(), rows.end(), 0);
@@ -32,7 +33,7 @@ std::vector<Eigen::Index> best_rows(const std::vector<float>& rank) {
   return rows;
 }
 
-/// Drops the rows that face away from the camera; both in the body frame.
+/// Drops the points that face away from the camera; points and camera are in the body frame.
 Points facing_camera(const Points& points, const Points& normals, const Eigen::Vector3d& camera_body) {
   std::vector<float> facing(points.rows());
   for (Eigen::Index row = 0; row < points.rows(); ++row) {

@@ -9,7 +9,7 @@
 namespace rigidformer {
 namespace {
 
-/// Two panels side by side in one file.
+/// Draws two panels side by side into one file.
 std::string two_panels(const std::filesystem::path& svg, const std::string& title) {
   return "set terminal svg size 1000,460 background 'white'\nset output " + gnuplot_string(svg) +
          "\nset multiplot layout 1,2 title " + gnuplot_string(title) + " noenhanced\nset grid\nset key noenhanced\n";
@@ -25,7 +25,7 @@ std::string data_block(const std::string& name, const std::vector<Eigen::Vector3
   return text.str();
 }
 
-/// "plot a, b, c" with one part per index.
+/// Writes "plot a, b, c" with one part per index.
 template <typename Part>
 std::string plot_command(std::size_t count, Part part) {
   std::string command = "plot ";

@@ -25,10 +25,10 @@ void require_each(const std::vector<int>& values, const std::string& field, int 
           field + " contains " + std::to_string(smallest) + ", must be at least " + std::to_string(least));
 }
 
-/// Steps from the second given frame that reach `horizon` frames after the first.
+/// Number of steps from the second given frame to `horizon` frames after the first; it need not be whole.
 int steps_to_reach(int horizon, int step) { return std::max(1, (horizon - step + step - 1) / step); }
 
-/// Poses of all objects `horizon` frames after the first given frame; rollouts start one step after it.
+/// Poses of all objects `horizon` frames after the first given frame; a rollout starts one step after that frame.
 Poses predicted_at(const std::vector<Poses>& rollout, int horizon, int step) {
   Poses poses;
   for (const Poses& object : rollout) {
@@ -45,7 +45,7 @@ Poses recorded_at(const SceneRecording& scene, int frame) {
   return poses;
 }
 
-/// The same error for every object on its own.
+/// Scene error of every object on its own.
 std::vector<PoseError> object_errors(const Poses& predicted, const Poses& truth) {
   std::vector<PoseError> errors;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -55,6 +55,7 @@ std::vector<PoseError> object_errors(const Poses& predicted, const Poses& truth)
 }
 
 bool lies_still(const std::vector<RigidTransform>& poses, int first, int last) {
+  // Well below the drift to be measured, well above the rounding of recorded poses.
   constexpr double kStill_m = 0.002, kStill_rad = 0.2 * M_PI / 180.0;
   return std::all_of(poses.begin() + first, poses.begin() + last + 1, [&](const RigidTransform& pose) {
     return (pose.translation - poses[static_cast<std::size_t>(first)].translation).norm() < kStill_m &&
@@ -78,7 +79,7 @@ Poses select(const Poses& poses, const std::vector<std::size_t>& objects) {
   return selected;
 }
 
-/// All scenes of one set, rolled out by one forecaster from one start with one step size.
+/// Rolls out all scenes of one set by one forecaster, from one start with one step size.
 class Round {
  public:
   Round(const ProtocolOptions& options, int start, int step) : options_(options), start_(start), step_(step) {
@@ -127,7 +128,7 @@ class Round {
   }
 
  private:
-  /// Whole steps after the second given frame that end inside the curve and inside the recording.
+  /// The whole steps after the second given frame that end inside the curve and inside the recording.
   int steps_of_curve(const SceneRecording& scene) const {
     const int last_frame = std::min(options_.curve_frames, scene.num_frames - 1 - start_);
     return std::max(0, last_frame / step_ - 1);
@@ -135,7 +136,7 @@ class Round {
 
   const ProtocolOptions& options_;
   int start_, step_, num_steps_ = 0;
-  std::vector<std::vector<PoseError>> errors_;  ///< [horizon][scene]
+  std::vector<std::vector<PoseError>> errors_;  ///< [horizon][scene] errors
   double compute_s_ = 0.0, predicted_s_ = 0.0;
 };
 

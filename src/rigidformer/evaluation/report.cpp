@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 #include <string>
+
+#include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
 namespace {
@@ -101,12 +101,7 @@ void write_scores_json(const std::filesystem::path& path, const std::vector<Scor
                                    {"orientation_rmse_deg", score.error.orientation_rmse_deg},
                                    {"compute_s_per_predicted_s", score.compute_s_per_predicted_s}});
   }
-  std::ofstream file(path);
-  file << document.dump(2) << '\n';
-  file.close();
-  if (!file) {
-    throw std::runtime_error("cannot write scores to " + path.string());
-  }
+  save_text_file(path, document.dump(2) + '\n');
 }
 
 }  // namespace rigidformer

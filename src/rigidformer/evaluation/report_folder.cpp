@@ -3,12 +3,12 @@
 #include "rigidformer/evaluation/report_folder.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 #include "report_tables.hpp"
 #include "rigidformer/evaluation/plots.hpp"
 #include "rigidformer/evaluation/report.hpp"
+#include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
 namespace {
@@ -27,15 +27,6 @@ std::string file_name(std::string text) {
     letter = plain ? letter : '_';
   }
   return text + ".svg";
-}
-
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) {
-    throw std::runtime_error("cannot write " + path.string());
-  }
 }
 
 std::string picture(const std::string& file) { return "![" + file + "](" + file + ")\n\n"; }
@@ -100,7 +91,7 @@ void ReportFolder::write(const std::vector<Score>& scores) const {
   const nlohmann::json parts = {{"by_shape", partial_json("shape", breakdown_.by_shape())},
                                 {"by_num_objects", partial_json("num_objects", breakdown_.by_num_objects())},
                                 {"by_frame", partial_json("frame", breakdown_.by_frame())}};
-  write_text(folder_ / "breakdown.json", parts.dump(2) + '\n');
+  save_text_file(folder_ / "breakdown.json", parts.dump(2) + '\n');
   const std::string frame = " at frame " + std::to_string(longest(options_.horizons));
   std::ostringstream report;
   report << "# Scores on recorded scenes\n\n" << conditions_text(options_) << "\n## Scores\n\n" << score_table(scores);
@@ -113,7 +104,7 @@ void ReportFolder::write(const std::vector<Score>& scores) const {
   report << "\n## Worst scenes of " << first_model_ << "," << frame << "\n\n"
          << "Per set and start, by position; paths from the second given frame on.\n\n"
          << worst_scenes(folder_, worst_.list());
-  write_text(folder_ / "report.md", report.str());
+  save_text_file(folder_ / "report.md", report.str());
 }
 
 }  // namespace rigidformer

@@ -14,15 +14,15 @@
 
 namespace rigidformer {
 
-/// The Markdown parts of a report.
+/// Writes the Markdown parts of a report.
 std::string conditions_text(const ProtocolOptions& options);
 std::string score_table(const std::vector<Score>& scores);
 std::string worst_scene_line(const ScenePaths& scene);
 
-/// "0.0512 | 7.25"
+/// Writes an error as cells of a table, for example "0.0512 | 7.25".
 std::string error_columns(const PoseError& error);
 
-/// One row per round and group, models below each other; `group` and `counted` head their columns.
+/// Writes one row per round and group, with models below each other. `group` and `counted` head their columns.
 template <typename Group>
 std::string partial_table(const std::string& group, const std::string& counted,
                           const std::map<RoundKey, std::map<Group, PartialScore>>& scores) {
@@ -42,7 +42,7 @@ std::string partial_table(const std::string& group, const std::string& counted,
   return text.str();
 }
 
-/// The same rows as JSON, the group under the name `group`.
+/// Writes the rows of the table above as JSON, with the group under the name `group`.
 template <typename Group>
 nlohmann::json partial_json(const std::string& group, const std::map<RoundKey, std::map<Group, PartialScore>>& scores) {
   nlohmann::json rows = nlohmann::json::array();

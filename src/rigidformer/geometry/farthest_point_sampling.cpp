@@ -10,7 +10,7 @@
 namespace rigidformer {
 namespace {
 
-/// Coordinates by column: sums over many points then use the processor's vector units.
+/// Coordinates stored by column: sums over many points then use the processor's vector units.
 class Distances {
  public:
   explicit Distances(const Points& points) : x_(points.col(0)), y_(points.col(1)), z_(points.col(2)) {}
@@ -24,7 +24,8 @@ class Distances {
   Eigen::ArrayXf x_, y_, z_;
 };
 
-/// Of values of which none is NaN. Faster than maxCoeff(&index), which looks at one value after the other.
+/// Row of the largest of values of which none is NaN. It is faster than maxCoeff(&index), which
+/// looks at one value after the other.
 Eigen::Index first_largest(const Eigen::ArrayXf& values) {
   const float* last = values.data() + values.size() - 1;
   return std::find(values.data(), last, values.maxCoeff()) - values.data();
@@ -54,7 +55,7 @@ std::vector<int> farthest_point_order(const Points& points, int count) {
       return order;
     }
     distances = distances.min(squared_distances.from(points.row(farthest)));
-    distances[farthest] = -1.0F;  // never chosen twice, even among coinciding points
+    distances[farthest] = -1.0F;  // a chosen point is not chosen again, even among coinciding points
     farthest = first_largest(distances);
   }
 }

@@ -14,7 +14,7 @@ namespace rigidformer {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-constexpr std::size_t kLeafSize = 8;
+constexpr std::size_t kLeafSize = 8;  // points per leaf of a search tree; changes the speed only; chosen by eye
 
 /// A rigid motion in single precision, for the inner loops.
 struct FloatTransform {
@@ -25,7 +25,7 @@ struct FloatTransform {
       : rotation(T.rotation.toRotationMatrix().cast<float>()), translation(T.translation.cast<float>()) {}
 };
 
-/// Keeps the single best point; starts from a bound, so that the tree is only entered where it can improve on it.
+/// Keeps the single best point. It starts from a bound, so that the tree is only entered where it can improve on it.
 struct BestPoint {
   float squared_distance;
   int index = -1;
@@ -41,7 +41,7 @@ struct BestPoint {
   }
 };
 
-/// One rigid cloud with its search tree and bounds, all in its own frame.
+/// One rigid cloud with its search tree and bounds, all in the cloud's own frame.
 class SearchableCloud {
  public:
   explicit SearchableCloud(Points points)
@@ -49,14 +49,14 @@ class SearchableCloud {
     tree_.buildIndex();
     lower_ = points_.colwise().minCoeff();
     upper_ = points_.colwise().maxCoeff();
-    center_ = 0.5F * (lower_ + upper_);
-    radius_ = std::sqrt((points_.rowwise() - center_.transpose()).rowwise().squaredNorm().maxCoeff());
+    centre_ = 0.5F * (lower_ + upper_);
+    radius_ = std::sqrt((points_.rowwise() - centre_.transpose()).rowwise().squaredNorm().maxCoeff());
   }
   SearchableCloud(const SearchableCloud&) = delete;
   SearchableCloud& operator=(const SearchableCloud&) = delete;
 
   const Points& points() const { return points_; }
-  const Eigen::Vector3f& center() const { return center_; }
+  const Eigen::Vector3f& centre() const { return centre_; }
   float radius() const { return radius_; }
 
   float squared_distance_to_box(const Eigen::Vector3f& query) const {
@@ -76,7 +76,7 @@ class SearchableCloud {
                                                    SearchableCloud, 3, int>;
   Points points_;
   Tree tree_;
-  Eigen::Vector3f lower_, upper_, center_;
+  Eigen::Vector3f lower_, upper_, centre_;
   float radius_ = 0.0F;
 };
 
@@ -123,7 +123,7 @@ class NearestPoints::Impl {
     }
   }
 
-  /// The point that was nearest last time is still some point of another object: its distance is an upper bound.
+  /// Bounds the distances from above: the point that was nearest last time is still a point of another object.
   void start_from_last_answer(std::size_t i, const std::vector<RigidTransform>& poses) {
     const Points& points = clouds_[i]->points();
     best_.assign(points.rows(), kFar);
@@ -141,13 +141,13 @@ class NearestPoints::Impl {
     }
   }
 
-  /// Other objects by the least distance that their bounding sphere leaves possible.
+  /// Sorts the other objects by the least distance that their bounding spheres allow.
   void sort_candidates(std::size_t i, const std::vector<RigidTransform>& poses) {
     candidates_.clear();
-    const Eigen::Vector3d center = poses[i] * clouds_[i]->center().cast<double>();
+    const Eigen::Vector3d centre = poses[i] * clouds_[i]->centre().cast<double>();
     for (std::size_t j = 0; j < clouds_.size(); ++j) {
       if (j != i) {
-        const double gap = (poses[j] * clouds_[j]->center().cast<double>() - center).norm();
+        const double gap = (poses[j] * clouds_[j]->centre().cast<double>() - centre).norm();
         candidates_.emplace_back(static_cast<float>(gap) - clouds_[i]->radius() - clouds_[j]->radius(), j);
       }
     }
@@ -175,8 +175,8 @@ class NearestPoints::Impl {
 
   std::vector<std::unique_ptr<SearchableCloud>> clouds_;
   std::vector<NearestNeighbors> last_;
-  std::vector<float> best_;                                ///< Squared distances of the object being searched
-  std::vector<FloatTransform> to_own_frame_;               ///< Per other object, for the object being searched
+  std::vector<float> best_;                   ///< Squared nearest distances so far of the points of the searched object
+  std::vector<FloatTransform> to_own_frame_;  ///< Motions from the searched object's frame to every other one's
   std::vector<std::pair<float, std::size_t>> candidates_;  ///< (least possible distance, object)
 };
 

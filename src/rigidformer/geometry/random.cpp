@@ -7,7 +7,7 @@
 namespace rigidformer {
 namespace {
 
-/// SplitMix64 finaliser: neighbouring seeds give unrelated engine states.
+/// The finaliser of SplitMix64: with it neighbouring seeds give unrelated states of the engine.
 std::uint64_t mix(std::uint64_t value) {
   value += 0x9e3779b97f4a7c15ULL;
   value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;

@@ -26,7 +26,7 @@ RigidTransform operator*(const RigidTransform& T_a_b, const RigidTransform& T_b_
 }
 
 Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
-  // Eigen gives angles up to 2 pi for quaternions of the other sign.
+  // Eigen gives angles up to 2 pi for quaternions of negative w.
   const Eigen::AngleAxisd turn(rotation);
   return (turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle()) * turn.axis();
 }

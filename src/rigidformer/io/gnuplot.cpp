@@ -15,7 +15,8 @@ std::string gnuplot_string(const std::filesystem::path& path) {
 }
 
 bool run_gnuplot(const std::string& commands) {
-  // Through its standard input: no path passes the shell. One that is missing must not end this process by SIGPIPE.
+  // Commands go through gnuplot's standard input, so that no path passes the shell. A missing gnuplot must
+  // not end this process by SIGPIPE.
   FILE* gnuplot =
       popen("command -v gnuplot >/dev/null && exec gnuplot 2>/dev/null || { cat >/dev/null; exit 1; }", "w");
   if (gnuplot == nullptr) return false;

@@ -21,8 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t kMaxHeaderBytes = 16u << 20;
-constexpr std::uint64_t kMaxFileBytes = 4ull << 30;  // a sparse file of any length costs no disk
+constexpr std::uint64_t kMaxHeaderBytes = 16u << 20;  // [bytes] bound on memory (docs/data_format.md); chosen by eye
+constexpr std::uint64_t kMaxFileBytes = 4ull << 30;  // [bytes] a sparse file of any length costs no disk; chosen by eye
 constexpr char kHashKey[] = "sha256";
 constexpr char kMetadataKey[] = "__metadata__";
 
@@ -47,7 +47,7 @@ const TypeName& type_info(TensorType type) {
   throw std::runtime_error("tensor file '" + path.string() + "': " + defect);
 }
 
-/// Number of elements, refusing negative or overflowing shapes.
+/// Counts the elements; refuses negative and overflowing shapes.
 std::uint64_t checked_num_elements(const std::filesystem::path& path, const std::string& name,
                                    const std::vector<std::int64_t>& shape) {
   std::uint64_t count = 1;
@@ -68,14 +68,15 @@ TensorType type_named(const std::filesystem::path& path, const std::string& tens
   fail(path, "tensor '" + tensor + "' has unsupported type '" + dtype + "'");
 }
 
-/// Where a tensor lies in the data.
+/// Place of a tensor in the data.
 struct Extent {
   std::uint64_t begin, end;
   std::string name;
-  RawTensor tensor;  ///< Without its bytes
+  RawTensor tensor;  ///< The tensor without its bytes
 };
 
-/// The entries of a list of integers; anything else would be converted, out of range even with undefined outcome.
+/// Reads a list of integers. Other entries are refused: they would be converted, out of
+/// range even with undefined outcome.
 template <typename Integer>
 std::vector<Integer> integers(const std::filesystem::path& path, const std::string& tensor, const Json& list) {
   bool fits = list.is_array();
@@ -98,7 +99,7 @@ Extent parse_extent(const std::filesystem::path& path, const std::string& name, 
   return extent;
 }
 
-/// The tensors in the order of their bytes, which they must fill without gap or overlap.
+/// Lists the tensors in the order of their bytes, which they must fill without gap or overlap.
 std::vector<Extent> parse_extents(const std::filesystem::path& path, const Json& header, std::uint64_t data_size) {
   std::vector<Extent> extents;
   for (const auto& [name, entry] : header.items()) {
@@ -116,7 +117,8 @@ std::vector<Extent> parse_extents(const std::filesystem::path& path, const Json&
   return extents;
 }
 
-/// SHA-256 started on the header (hash left empty), so that an altered configuration is noticed too; data follows.
+/// Starts a SHA-256 with the header (its hash left empty), so that an altered configuration
+/// is noticed too. The data follow.
 Sha256 start_hash(Json header) {
   header[kMetadataKey][kHashKey] = "";
   const std::string text = header.dump();

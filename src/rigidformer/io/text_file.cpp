@@ -26,27 +26,37 @@ std::string read_text_file(const std::filesystem::path& path, std::uintmax_t max
 }
 
 void write_text_file(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
+  const bool in_place = std::filesystem::exists(path) && !std::filesystem::is_regular_file(path);
+  const std::filesystem::path temporary =
+      in_place ? path : std::filesystem::path(path.string() + ".tmp" + std::to_string(::getpid()));
   std::ofstream out(temporary, std::ios::binary);
   out << text;
   out.close();
   if (!out) {
     const std::string reason = std::strerror(errno);
     std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
+    if (!in_place) std::filesystem::remove(temporary, ignored);
     throw std::runtime_error("cannot write: " + reason);
   }
-  std::filesystem::rename(temporary, path);
+  if (!in_place) std::filesystem::rename(temporary, path);
+}
+
+void save_text_file(const std::filesystem::path& path, const std::string& text) {
+  try {
+    write_text_file(path, text);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("'" + path.string() + "': " + error.what());
+  }
 }
 
 bool nests_too_deeply(const std::string& json) {
-  constexpr int kMaxDepth = 64;
+  constexpr int kMaxDepth = 64;  // levels, which no stack is too small for; chosen by eye
   int depth = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const char c = json[i];
     if (quoted) {
-      if (c == '\\') ++i;  // what follows is part of the string, even a quotation mark
+      if (c == '\\') ++i;  // the next character is part of the string, even a quotation mark
       if (c == '"') quoted = false;
     } else if (c == '"') {
       quoted = true;

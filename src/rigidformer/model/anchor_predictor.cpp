@@ -7,7 +7,7 @@
 namespace rigidformer {
 
 CrossAttentionLayerImpl::CrossAttentionLayerImpl(const ModelOptions& options) {
-  const int64_t D = options.embedding_dim;
+  const std::int64_t D = options.embedding_dim;
   query_norm = register_module("query_norm", RmsNorm(D));
   key_norm = register_module("key_norm", RmsNorm(D));
   attention = register_module("attention", GatedAttention(options));
@@ -24,32 +24,32 @@ Tensor CrossAttentionLayerImpl::forward(const TokenSet& query, const TokenSet& k
   return ffn.is_empty() ? y : y + ffn(ffn_norm(y));
 }
 
-int64_t num_anchor_outputs(const ModelOptions& options) {
+std::int64_t num_anchor_outputs(const ModelOptions& options) {
   return 3 + (options.end_velocity_output ? 3 : 0) + (options.engine_motion ? 1 : 0);
 }
 
 AnchorPredictorImpl::AnchorPredictorImpl(const ModelOptions& model_options) : options(model_options) {
-  const int64_t D = options.embedding_dim;
-  const int64_t state_dim =
+  const std::int64_t D = options.embedding_dim;
+  const std::int64_t state_dim =
       num_vertex_features(options) + 3 + options.avp_dim + num_engine_features(options);  // 271 in the paper
   to_query = register_module("to_query", Mlp(state_dim, D, D));
   if (options.own_token_in_query) own_token = register_module("own_token", Linear(D, D, false));
   const size_t num_layers = options.scales.size() * static_cast<size_t>(options.predictor_layers_per_scale);
   for (size_t i = 0; i < num_layers; ++i) layers->push_back(CrossAttentionLayer(options));
   register_module("layers", layers);
-  fuse = register_module("fuse", Linear(static_cast<int64_t>(options.scales.size()) * D, D));
+  fuse = register_module("fuse", Linear(static_cast<std::int64_t>(options.scales.size()) * D, D));
   head_norm = register_module("head_norm", RmsNorm(D));
   head = register_module("head", Mlp(D, options.head_hidden, num_anchor_outputs(options)));
   torch::NoGradGuard no_grad;
-  head->second->weight.mul_(0.1);            // start near the base motion
-  head->second->weight.slice(0, 3).zero_();  // ... with the mean velocity of the step at its end
+  head->second->weight.mul_(0.1);            // training starts near the base motion ...
+  head->second->weight.slice(0, 3).zero_();  // ... and at the mean velocity of the step at its end
   head->second->bias.slice(0, 3).zero_();
 }
 
 Tensor AnchorPredictorImpl::forward(const Tensor& anchor_state, const std::vector<Tensor>& decoder_outputs,
                                     const TokenSet& objects, const Tensor& anchor_angles,
                                     const Tensor& anchor_embedding) {
-  const int64_t K = anchor_state.size(1), A = anchor_state.size(2);
+  const std::int64_t K = anchor_state.size(1), A = anchor_state.size(2);
   Tensor queries = to_query(anchor_state);  // [B, K, A, D]
   if (anchor_embedding.defined()) queries = queries + anchor_embedding.to(queries.scalar_type());
   if (!own_token.is_empty()) queries = queries + own_token(decoder_outputs.back()).unsqueeze(2);

@@ -7,7 +7,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kInitialBandwidth = 0.3;  // [m]
+constexpr double kInitialBandwidth = 0.3;  // [m] a fraction of an object, chosen by eye (docs/paper_map.md, "§3.2, σ")
 
 }  // namespace
 

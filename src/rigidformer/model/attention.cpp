@@ -10,7 +10,7 @@ namespace rigidformer {
 
 GatedAttentionImpl::GatedAttentionImpl(const ModelOptions& options)
     : num_heads(options.num_heads), head_dim(options.head_dim) {
-  const int64_t D = options.embedding_dim, width = num_heads * head_dim;
+  const std::int64_t D = options.embedding_dim, width = num_heads * head_dim;
   to_query = register_module("to_query", Linear(D, width, false));
   to_key = register_module("to_key", Linear(D, width, false));
   to_value = register_module("to_value", Linear(D, width, false));

@@ -44,7 +44,7 @@ Tensor closest_approach(const Tensor& start, const Tensor& step) {
 
 Tensor contact_gate(const SceneBatch& batch, const BaseMotion& base, const Tensor& radius, double margin_m) {
   torch::NoGradGuard no_grad;
-  const int64_t K = batch.max_objects();
+  const std::int64_t K = batch.max_objects();
   const Tensor start = base.centre.unsqueeze(2) - base.centre.unsqueeze(1);  // [B, K, K, 3]
   const Tensor step = base.centre_step.unsqueeze(2) - base.centre_step.unsqueeze(1);
   const Tensor reach = radius.unsqueeze(2) + radius.unsqueeze(1) + margin_m;

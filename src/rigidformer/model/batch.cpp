@@ -3,6 +3,25 @@
 #include "rigidformer/model/batch.hpp"
 
 namespace rigidformer {
+namespace {
+
+Tensor moved(const Tensor& tensor, const torch::Device& device) {
+  return tensor.defined() ? tensor.to(device) : tensor;
+}
+
+}  // namespace
+
+Pose Pose::to(const torch::Device& device) const { return {moved(rotation, device), moved(translation, device)}; }
+
+SceneBatch SceneBatch::to(const torch::Device& device) const {
+  SceneBatch batch;
+  for (const auto tensor : kBatchTensors) batch.*tensor = moved(this->*tensor, device);
+  return batch;
+}
+
+SceneState SceneState::to(const torch::Device& device) const {
+  return {first.to(device), previous.to(device), current.to(device)};
+}
 
 Tensor Pose::apply(const Tensor& points_reference) const {
   return torch::matmul(points_reference, rotation.transpose(-1, -2)) + translation.unsqueeze(-2);
@@ -18,7 +37,7 @@ Tensor gather_points(const Tensor& values, const Tensor& index) {
 }
 
 Tensor gather_scene_points(const Tensor& values, const Tensor& index) {
-  const int64_t B = values.size(0), K = values.size(1), N = values.size(2), C = values.size(3);
+  const std::int64_t B = values.size(0), K = values.size(1), N = values.size(2), C = values.size(3);
   const auto wide = index.reshape({B, K * N, 1}).expand({B, K * N, C});
   return values.reshape({B, K * N, C}).gather(1, wide).reshape({B, K, N, C});
 }

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kFormat[] = "rigidformer-checkpoint";
-constexpr char kVersion[] = "1";
+constexpr char kVersion[] = "1";  // version of the layout; readers refuse others
 
 template <typename Facts, typename Visitor>
 void visit_facts(Facts& f, Visitor&& visit) {
@@ -41,7 +41,7 @@ const std::string& value_of(const Metadata& metadata, const std::string& key) {
   return entry->second;
 }
 
-/// Strict: what get() would cut to size (1.5, or 2^40 points) is refused.
+/// Reads a number strictly: what get() would cut to size (1.5, or 2^40 points) is refused.
 template <typename T>
 void read_fact(const Json& facts, const char* name, T& field) {
   const Json& value = facts.at(name);
@@ -53,7 +53,7 @@ void read_fact(const Json& facts, const char* name, T& field) {
   }
 }
 
-/// A model of the stored options, still without its weights.
+/// Makes a model of the stored options, still without its weights.
 Checkpoint parse_metadata(const Metadata& metadata) {
   if (value_of(metadata, "format") != kFormat) throw std::runtime_error("not a RigidFormer model");
   const std::string& version = value_of(metadata, "format_version");

@@ -9,12 +9,12 @@
 namespace rigidformer {
 namespace {
 
-constexpr std::int64_t kPeakMatrixSize = 1024;
-constexpr int kPeakRuns = 5;
+constexpr std::int64_t kPeakMatrixSize = 1024;  // rows of a matrix large enough to keep a device busy; chosen by eye
+constexpr int kPeakRuns = 5;                    // runs, of which the fastest counts; chosen by eye
 
 bool contains(const std::string& name, const char* part) { return name.find(part) != std::string::npos; }
 
-/// How many rows of one scene a weight matrix is applied to.
+/// Number of rows of one scene that a weight matrix is applied to.
 std::int64_t rows_for(const std::string& name, const ModelOptions& options, std::int64_t K, std::int64_t N) {
   const std::int64_t K_A = K * options.num_anchors;
   if (contains(name, "encoder.backbone")) return K * N;
@@ -46,9 +46,9 @@ double measure_matrix_peak(const torch::Device& device, torch::ScalarType type) 
   double best_s = 1e9;
   for (int run = 0; run <= kPeakRuns; ++run) {
     const auto start = std::chrono::steady_clock::now();
-    torch::mm(a, a)[0][0].item();  // waits for the device
+    torch::mm(a, a)[0][0].item();  // item() waits for the device
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (run > 0) best_s = std::min(best_s, elapsed_s);  // the first one starts the library
+    if (run > 0) best_s = std::min(best_s, elapsed_s);  // the first run starts the library and does not count
   }
   return static_cast<double>(kPeakMatrixSize) * kPeakMatrixSize * kPeakMatrixSize / best_s;
 }

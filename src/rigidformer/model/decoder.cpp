@@ -5,12 +5,12 @@
 namespace rigidformer {
 namespace {
 
-constexpr int64_t kSublayersPerBlock = 2;  // attention and feed-forward
-constexpr double kNewestSummaryBias = 4.0;
+constexpr std::int64_t kSublayersPerBlock = 2;  // attention and feed-forward (§3.1)
+constexpr double kNewestSummaryBias = 4.0;  // starts near the ordinary residual stream, see docs/paper_map.md; by eye
 
-/// Appends the registers: always valid, angle zero.
+/// Appends the registers, which are always valid and have angle zero.
 TokenSet with_registers(const TokenSet& objects, const Tensor& registers) {
-  const int64_t B = objects.tokens.size(0), R = registers.size(0);
+  const std::int64_t B = objects.tokens.size(0), R = registers.size(0);
   TokenSet all;
   const Tensor expanded = registers.to(objects.tokens.scalar_type()).unsqueeze(0).expand({B, R, registers.size(1)});
   all.tokens = torch::cat({objects.tokens, expanded}, 1);
@@ -24,8 +24,8 @@ TokenSet with_registers(const TokenSet& objects, const Tensor& registers) {
 
 }  // namespace
 
-DecoderBlockImpl::DecoderBlockImpl(const ModelOptions& options, int64_t code_dim) {
-  const int64_t D = options.embedding_dim;
+DecoderBlockImpl::DecoderBlockImpl(const ModelOptions& options, std::int64_t code_dim) {
+  const std::int64_t D = options.embedding_dim;
   attention_norm = register_module("attention_norm", RmsNorm(D));
   attention = register_module("attention", GatedAttention(options));
   film = register_module("film", Film(code_dim, options.film_hidden, D));
@@ -40,7 +40,7 @@ Tensor DecoderBlockImpl::forward(const TokenSet& z, const Tensor& code) {
   return ffn(ffn_norm(z_hat)) + z_hat;
 }
 
-BlockResidualImpl::BlockResidualImpl(int64_t dim, int64_t num_summaries) {
+BlockResidualImpl::BlockResidualImpl(std::int64_t dim, std::int64_t num_summaries) {
   norm = register_module("norm", RmsNorm(dim));
   score = register_module("score", Linear(dim, 1, false));
   score->zero();
@@ -55,10 +55,10 @@ Tensor BlockResidualImpl::forward(const std::vector<Tensor>& summaries) {
   return (torch::softmax(scores, -1).unsqueeze(-1) * stacked).sum(-2);
 }
 
-ObjectDecoderImpl::ObjectDecoderImpl(const ModelOptions& options, int64_t code_dim)
+ObjectDecoderImpl::ObjectDecoderImpl(const ModelOptions& options, std::int64_t code_dim)
     : blocks_per_summary(options.block_residual_size / kSublayersPerBlock) {
   registers = register_parameter("registers", 0.02 * torch::randn({options.num_registers, options.embedding_dim}));
-  for (int64_t layer = 0; layer < options.num_layers; ++layer) {
+  for (std::int64_t layer = 0; layer < options.num_layers; ++layer) {
     blocks->push_back(DecoderBlock(options, code_dim));
     const bool ends_summary = blocks_per_summary > 0 && (layer + 1) % blocks_per_summary == 0;
     if (ends_summary) {
@@ -70,7 +70,7 @@ ObjectDecoderImpl::ObjectDecoderImpl(const ModelOptions& options, int64_t code_d
 }
 
 std::vector<Tensor> ObjectDecoderImpl::forward(const TokenSet& objects, const Tensor& code) {
-  const int64_t K = objects.tokens.size(1);
+  const std::int64_t K = objects.tokens.size(1);
   TokenSet z = with_registers(objects, registers);
   std::vector<Tensor> outputs = {objects.tokens};  // Z^(0)
   std::vector<Tensor> summaries = {z.tokens};

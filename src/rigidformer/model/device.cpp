@@ -7,7 +7,7 @@
 namespace rigidformer {
 namespace {
 
-/// cuda | cuda:N -> N, throws std::invalid_argument for anything else.
+/// Reads the number N of "cuda:N", or 0 of "cuda"; throws std::invalid_argument for anything else.
 int cuda_index(const std::string& name) {
   if (name == "cuda") return 0;
   const std::string prefix = "cuda:";

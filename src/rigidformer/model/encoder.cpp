@@ -12,16 +12,16 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kLevelFractions[] = {1.0, 0.5, 0.25, 0.125};
+constexpr double kLevelFractions[] = {1.0, 0.5, 0.25, 0.125};  // share of the points in each level (§3.1)
 constexpr size_t kNumLevels = std::size(kLevelFractions);
 
-/// Max over the first ceil(fraction * n) of each object's n valid points: f [B, K, N, E] -> [B, K, E].
+/// Maximum over the first ceil(fraction * n) of each object's n valid points: f [B, K, N, E] -> [B, K, E].
 Tensor pool_level(const Tensor& f, const Tensor& point_mask, double fraction) {
-  const int64_t N = f.size(2);
+  const std::int64_t N = f.size(2);
   const Tensor count = point_mask.sum(-1, true).to(torch::kFloat32);  // [B, K, 1]
   const Tensor kept = (count * fraction).ceil().clamp_min(1.0);
-  const int64_t longest = fraction == 1.0 ? N : static_cast<int64_t>(static_cast<double>(N) * fraction) + 1;
-  const int64_t prefix = std::min(N, longest);
+  const std::int64_t longest = fraction == 1.0 ? N : static_cast<std::int64_t>(static_cast<double>(N) * fraction) + 1;
+  const std::int64_t prefix = std::min(N, longest);
   const Tensor rank = torch::arange(prefix, count.options());
   const Tensor drop = (rank >= kept).logical_or(point_mask.slice(2, 0, prefix).logical_not()).unsqueeze(-1);
   const Tensor pooled = f.slice(2, 0, prefix).masked_fill(drop, -1e4).amax(2);
@@ -29,16 +29,16 @@ Tensor pool_level(const Tensor& f, const Tensor& point_mask, double fraction) {
 }
 
 /// Writes the maxima of one object's rows f [count, E] to pooled[level] [E].
-void pool_object(const float* f, int64_t count, int64_t E, const std::array<float*, kNumLevels>& pooled) {
-  std::array<int64_t, kNumLevels> kept{};
+void pool_object(const float* f, std::int64_t count, std::int64_t E, const std::array<float*, kNumLevels>& pooled) {
+  std::array<std::int64_t, kNumLevels> kept{};
   for (size_t level = 0; level < kNumLevels; ++level) {
-    kept[level] = static_cast<int64_t>(std::ceil(static_cast<double>(count) * kLevelFractions[level]));
+    kept[level] = static_cast<std::int64_t>(std::ceil(static_cast<double>(count) * kLevelFractions[level]));
   }
   std::vector<float> best(f, f + E);
-  for (int64_t row = 0; row < count; ++row) {
+  for (std::int64_t row = 0; row < count; ++row) {
     const float* value = f + row * E;
-    for (int64_t e = 0; e < E; ++e) {
-      const bool replaces = value[e] > best[e] || std::isnan(value[e]);  // NaN stays, as in amax
+    for (std::int64_t e = 0; e < E; ++e) {
+      const bool replaces = value[e] > best[e] || std::isnan(value[e]);  // NaN stays, as it does in amax()
       best[e] = replaces ? value[e] : best[e];
     }
     for (size_t level = 0; level < kNumLevels; ++level) {
@@ -47,16 +47,17 @@ void pool_object(const float* f, int64_t count, int64_t E, const std::array<floa
   }
 }
 
-/// pool_level() for all levels, in one pass over f instead of a copy of it per level. On the CPU, without gradients.
+/// Does what pool_level() does for all levels, in one pass over f instead of a copy of it per level.
+/// For the CPU, without gradients.
 std::vector<Tensor> pool_all_levels(const Tensor& f, const Tensor& point_mask) {
-  const int64_t K = f.size(1), N = f.size(2), E = f.size(3);
+  const std::int64_t K = f.size(1), N = f.size(2), E = f.size(3);
   const Tensor count = point_mask.sum(-1).contiguous();  // [B, K]
   std::vector<Tensor> levels;
   for (size_t level = 0; level < kNumLevels; ++level) levels.push_back(torch::zeros({f.size(0), K, E}));
-  for (int64_t object = 0; object < count.numel(); ++object) {
+  for (std::int64_t object = 0; object < count.numel(); ++object) {
     std::array<float*, kNumLevels> pooled{};
     for (size_t level = 0; level < kNumLevels; ++level) pooled[level] = levels[level].data_ptr<float>() + object * E;
-    pool_object(f.data_ptr<float>() + object * N * E, count.data_ptr<int64_t>()[object], E, pooled);
+    pool_object(f.data_ptr<float>() + object * N * E, count.data_ptr<std::int64_t>()[object], E, pooled);
   }
   return levels;
 }
@@ -72,8 +73,8 @@ std::vector<Tensor> pool_levels(const Tensor& f, const Tensor& point_mask) {
 }  // namespace
 
 PointEncoderImpl::PointEncoderImpl(const ModelOptions& options) {
-  int64_t width = num_vertex_features(options) + num_engine_features(options);
-  for (const int64_t next : options.encoder_widths) {
+  std::int64_t width = num_vertex_features(options) + num_engine_features(options);
+  for (const std::int64_t next : options.encoder_widths) {
     backbone->push_back(Linear(width, next));
     width = next;
   }
@@ -85,7 +86,7 @@ PointEncoderImpl::PointEncoderImpl(const ModelOptions& options) {
   register_module("backbone", backbone);
   register_module("level_mlps", level_mlps);
   fuse = register_module(
-      "fuse", Mlp(static_cast<int64_t>(kNumLevels) * width, options.encoder_fuse_hidden, options.embedding_dim));
+      "fuse", Mlp(static_cast<std::int64_t>(kNumLevels) * width, options.encoder_fuse_hidden, options.embedding_dim));
 }
 
 Encoding PointEncoderImpl::forward(const Tensor& features, const Tensor& point_mask) {

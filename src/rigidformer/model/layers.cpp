@@ -6,7 +6,7 @@
 
 namespace rigidformer {
 
-LinearImpl::LinearImpl(int64_t in, int64_t out, bool with_bias) {
+LinearImpl::LinearImpl(std::int64_t in, std::int64_t out, bool with_bias) {
   const double bound = 1.0 / std::sqrt(static_cast<double>(in));
   weight = register_parameter("weight", torch::empty({out, in}).uniform_(-bound, bound));
   if (with_bias) bias = register_parameter("bias", torch::zeros({out}));
@@ -23,7 +23,7 @@ void LinearImpl::zero() {
   if (bias.defined()) bias.zero_();
 }
 
-RmsNormImpl::RmsNormImpl(int64_t dim) { scale = register_parameter("scale", torch::ones({dim})); }
+RmsNormImpl::RmsNormImpl(std::int64_t dim) { scale = register_parameter("scale", torch::ones({dim})); }
 
 Tensor RmsNormImpl::forward(const Tensor& x) {
   const auto wide_type = x.scalar_type() == torch::kFloat64 ? torch::kFloat64 : torch::kFloat32;
@@ -32,7 +32,7 @@ Tensor RmsNormImpl::forward(const Tensor& x) {
   return (wide * inverse_rms * scale.to(wide_type)).to(x.scalar_type());
 }
 
-MlpImpl::MlpImpl(int64_t in, int64_t hidden, int64_t out, bool zero_last) {
+MlpImpl::MlpImpl(std::int64_t in, std::int64_t hidden, std::int64_t out, bool zero_last) {
   first = register_module("first", Linear(in, hidden));
   second = register_module("second", Linear(hidden, out));
   if (zero_last) second->zero();
@@ -40,8 +40,8 @@ MlpImpl::MlpImpl(int64_t in, int64_t hidden, int64_t out, bool zero_last) {
 
 Tensor MlpImpl::forward(const Tensor& x) { return second(torch::silu(first(x))); }
 
-SwiGluImpl::SwiGluImpl(int64_t dim, double expansion, double dropout) {
-  const auto hidden = static_cast<int64_t>(std::lround(expansion * static_cast<double>(dim)));
+SwiGluImpl::SwiGluImpl(std::int64_t dim, double expansion, double dropout) {
+  const auto hidden = static_cast<std::int64_t>(std::lround(expansion * static_cast<double>(dim)));
   gate_and_value = register_module("gate_and_value", Linear(dim, 2 * hidden, false));
   output = register_module("output", Linear(hidden, dim, false));
   drop = register_module("drop", torch::nn::Dropout(dropout));
@@ -52,7 +52,7 @@ Tensor SwiGluImpl::forward(const Tensor& x) {
   return drop(output(torch::silu(parts[0]) * parts[1]));
 }
 
-FilmImpl::FilmImpl(int64_t code_dim, int64_t hidden, int64_t dim) {
+FilmImpl::FilmImpl(std::int64_t code_dim, std::int64_t hidden, std::int64_t dim) {
   mlp = register_module("mlp", Mlp(code_dim, hidden, 2 * dim, /*zero_last=*/true));
 }
 

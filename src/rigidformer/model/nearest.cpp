@@ -7,14 +7,14 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kFar = 1e6;                     // [m^2] rank of points that must not be chosen
-constexpr int64_t kMaxMatrixElements = 1 << 28;  // per chunk
+constexpr double kFar = 1e6;  // [m^2] rank of points that must not be chosen: above any squared distance
+constexpr std::int64_t kMaxMatrixElements = 1 << 28;  // per chunk; 1 GiB of float32; chosen by eye
 
 }  // namespace
 
 Nearest nearest_by_distance_matrix(const SceneBatch& batch, const Pose&, const Tensor& points_world) {
   torch::NoGradGuard no_grad;
-  const int64_t B = points_world.size(0), K = points_world.size(1), N = points_world.size(2);
+  const std::int64_t B = points_world.size(0), K = points_world.size(1), N = points_world.size(2);
   const Tensor x = points_world.detach().to(torch::kFloat32).reshape({B, K * N, 3});
   const Tensor invalid = batch.point_mask.logical_not().reshape({B, K * N, 1}).to(torch::kFloat32);
   const Tensor same_object = torch::eye(K, x.options()).repeat_interleave(N, 0).unsqueeze(0).expand({B, K * N, K});
@@ -22,10 +22,10 @@ Nearest nearest_by_distance_matrix(const SceneBatch& batch, const Pose&, const T
   const Tensor query = torch::cat({-2.0 * x, torch::ones_like(rank), same_object}, -1);
   const Tensor key = torch::cat({x, rank, 0.5 * kFar * same_object}, -1).transpose(1, 2);
 
-  const int64_t chunk = std::clamp<int64_t>(kMaxMatrixElements / (K * N * K * N), 1, B);
+  const std::int64_t chunk = std::clamp<std::int64_t>(kMaxMatrixElements / (K * N * K * N), 1, B);
   std::vector<Tensor> indices, values;
-  for (int64_t begin = 0; begin < B; begin += chunk) {
-    const int64_t end = std::min(begin + chunk, B);
+  for (std::int64_t begin = 0; begin < B; begin += chunk) {
+    const std::int64_t end = std::min(begin + chunk, B);
     auto [value, index] = torch::bmm(query.slice(0, begin, end), key.slice(0, begin, end)).min(-1);
     indices.push_back(index);
     values.push_back(value);

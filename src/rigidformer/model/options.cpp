@@ -3,12 +3,12 @@
 #include "rigidformer/model/options.hpp"
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <type_traits>
 
+#include "rigidformer/io/member_table.hpp"
 #include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
@@ -17,58 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kMaxWeights = 1e9;  // 4 GB; the paper's model has 175 million
-
-const std::map<std::string, PositionEncoding>& encoding_names() {
-  static const std::map<std::string, PositionEncoding> names = {
-      {"arope", PositionEncoding::kArope},     {"sinusoidal", PositionEncoding::kSinusoidal},
-      {"learned", PositionEncoding::kLearned}, {"obb", PositionEncoding::kObb},
-      {"pca", PositionEncoding::kPca},         {"se3", PositionEncoding::kSe3},
-      {"none", PositionEncoding::kNone}};
-  return names;
-}
-
-/// Calls visit(name, field) for every option but the encoding: the one list that reading and writing share.
-template <typename Options, typename Visitor>
-void visit_fields(Options& o, Visitor&& visit) {
-  visit("preset", o.preset);
-  visit("encoder_widths", o.encoder_widths);
-  visit("encoder_level_hidden", o.encoder_level_hidden);
-  visit("encoder_fuse_hidden", o.encoder_fuse_hidden);
-  visit("embedding_dim", o.embedding_dim);
-  visit("num_heads", o.num_heads);
-  visit("head_dim", o.head_dim);
-  visit("rotary_dim", o.rotary_dim);
-  visit("num_layers", o.num_layers);
-  visit("num_registers", o.num_registers);
-  visit("ffn_expansion", o.ffn_expansion);
-  visit("film_hidden", o.film_hidden);
-  visit("block_residual_size", o.block_residual_size);
-  visit("dropout", o.dropout);
-  visit("gated_attention", o.gated_attention);
-  visit("control_dim", o.control_dim);
-  visit("num_anchors", o.num_anchors);
-  visit("random_anchors", o.random_anchors);
-  visit("avp_hidden", o.avp_hidden);
-  visit("avp_dim", o.avp_dim);
-  visit("scales", o.scales);
-  visit("predictor_layers_per_scale", o.predictor_layers_per_scale);
-  visit("predictor_ffn", o.predictor_ffn);
-  visit("head_hidden", o.head_hidden);
-  visit("differentiable_alignment", o.differentiable_alignment);
-  visit("reference_offset_feature", o.reference_offset_feature);
-  visit("inertial_base_motion", o.inertial_base_motion);
-  visit("contact_gate", o.contact_gate);
-  visit("contact_gate_margin_m", o.contact_gate_margin_m);
-  visit("centre_of_mass_head", o.centre_of_mass_head);
-  visit("position_feature", o.position_feature);
-  visit("contact_features", o.contact_features);
-  visit("property_mask", o.property_mask);
-  visit("own_token_in_query", o.own_token_in_query);
-  visit("velocity_output", o.velocity_output);
-  visit("end_velocity_output", o.end_velocity_output);
-  visit("engine_motion", o.engine_motion);
-  visit("hidden_side_head", o.hidden_side_head);
-}
 
 void check(bool condition, const std::string& field, double value, const std::string& bound) {
   if (!condition) {
@@ -170,11 +118,6 @@ bool has_fraction(const Json& value) {
   return std::any_of(value.begin(), value.end(), [](const Json& element) { return element.is_number_float(); });
 }
 
-/// Options that older files do not hold; they are off there.
-bool is_newer(const std::string& name) {
-  return name == "end_velocity_output" || name == "engine_motion" || name == "hidden_side_head";
-}
-
 /// Strict: neither 64.5 nor true passes for an integer.
 template <typename T>
 void read_option(const Json& json, const std::string& name, T& field) {
@@ -191,22 +134,27 @@ void read_option(const Json& json, const std::string& name, T& field) {
   if (!fits) throw std::invalid_argument("model option '" + name + "' has the wrong type: " + value.dump());
 }
 
+void read_option(const Json& json, const std::string& name, PositionEncoding& field) {
+  std::string word;
+  read_option(json, name, word);
+  field = position_encoding_from_string(word);
+}
+
 }  // namespace
 
 PositionEncoding position_encoding_from_string(const std::string& name) {
-  const auto entry = encoding_names().find(name);
-  if (entry == encoding_names().end()) {
+  const auto encoding = enum_value<PositionEncoding>(name);
+  if (!encoding) {
     throw std::invalid_argument("model option 'position_encoding' is '" + name +
                                 "', must be arope, sinusoidal, learned, obb, pca, se3 or none");
   }
-  return entry->second;
+  return *encoding;
 }
 
 std::string to_string(PositionEncoding encoding) {
-  for (const auto& [name, value] : encoding_names()) {
-    if (value == encoding) return name;
-  }
-  throw std::invalid_argument("unknown position encoding");
+  const std::string name = enum_word(encoding);
+  if (name.empty()) throw std::invalid_argument("unknown position encoding");
+  return name;
 }
 
 ModelOptions model_preset(const std::string& name) {
@@ -217,30 +165,20 @@ ModelOptions model_preset(const std::string& name) {
   throw std::invalid_argument("model preset '" + name + "' is unknown; known: paper, base, small, tiny");
 }
 
-void validate(const ModelOptions& o) {
+void validate(const ModelOptions& options) {
+  ModelOptions o = options;
+  for_each_member(o, [](const char* key, const auto& value, const Accepts& accepts, const char*) {
+    if (!fits(value, accepts)) {
+      throw std::invalid_argument(std::string("model option '") + key + "' is " + value_text(value, accepts) +
+                                  ", must be " + range_text(accepts));
+    }
+  });
   check(!o.encoder_widths.empty(), "encoder_widths.size", 0, "at least 1");
-  for (const int width : o.encoder_widths) check(width > 0, "encoder_widths", width, "> 0");
-  check(o.encoder_level_hidden >= 0, "encoder_level_hidden", o.encoder_level_hidden, ">= 0");
-  check(o.encoder_fuse_hidden > 0, "encoder_fuse_hidden", o.encoder_fuse_hidden, "> 0");
-  check(o.embedding_dim > 0, "embedding_dim", o.embedding_dim, "> 0");
-  check(o.num_heads > 0, "num_heads", o.num_heads, "> 0");
-  check(o.head_dim > 0 && o.head_dim % 2 == 0, "head_dim", o.head_dim, "positive and even");
-  check(o.rotary_dim >= 6 && o.rotary_dim % 6 == 0 && o.rotary_dim <= o.head_dim, "rotary_dim", o.rotary_dim,
+  check(o.head_dim % 2 == 0, "head_dim", o.head_dim, "even");
+  check(o.rotary_dim % 6 == 0 && o.rotary_dim <= o.head_dim, "rotary_dim", o.rotary_dim,
         "a multiple of 6 and at most head_dim");
-  check(o.num_layers > 0, "num_layers", o.num_layers, "> 0");
-  check(o.num_registers >= 0, "num_registers", o.num_registers, ">= 0");
-  check(o.ffn_expansion > 0.0, "ffn_expansion", o.ffn_expansion, "> 0");
-  check(o.film_hidden > 0, "film_hidden", o.film_hidden, "> 0");
-  check(o.block_residual_size >= 0, "block_residual_size", o.block_residual_size, ">= 0");
-  check(o.dropout >= 0.0 && o.dropout < 1.0, "dropout", o.dropout, "in [0, 1)");
-  check(o.control_dim >= 0, "control_dim", o.control_dim, ">= 0");
-  check(o.num_anchors >= 3, "num_anchors", o.num_anchors, ">= 3");
-  check(o.avp_hidden > 0 && o.avp_dim > 0, "avp_hidden/avp_dim", o.avp_dim, "> 0");
   check(!o.scales.empty(), "scales.size", 0, "at least 1");
-  for (const int scale : o.scales) check(scale >= 0 && scale <= o.num_layers, "scales", scale, "in [0, num_layers]");
-  check(o.predictor_layers_per_scale > 0, "predictor_layers_per_scale", o.predictor_layers_per_scale, "> 0");
-  check(o.head_hidden > 0, "head_hidden", o.head_hidden, "> 0");
-  check(o.contact_gate_margin_m >= 0.0, "contact_gate_margin_m", o.contact_gate_margin_m, ">= 0");
+  for (const int scale : o.scales) check(scale <= o.num_layers, "scales", scale, "in [0, num_layers]");
   check(!o.engine_motion || (o.inertial_base_motion && o.velocity_output && o.end_velocity_output), "engine_motion",
         o.engine_motion, "off without inertial_base_motion, velocity_output and end_velocity_output");
   check(!o.hidden_side_head || o.engine_motion, "hidden_side_head", o.hidden_side_head, "off without engine_motion");
@@ -249,8 +187,14 @@ void validate(const ModelOptions& o) {
 
 std::string to_json(const ModelOptions& options) {
   Json json;
-  visit_fields(options, [&](const char* name, const auto& field) { json[name] = field; });
-  json["position_encoding"] = to_string(options.position_encoding);
+  ModelOptions o = options;
+  for_each_member(o, [&](const char* key, const auto& field, const Accepts&, const char*) {
+    if constexpr (std::is_enum_v<std::decay_t<decltype(field)>>) {
+      json[key] = to_string(field);
+    } else {
+      json[key] = field;
+    }
+  });
   return json.dump();
 }
 
@@ -259,14 +203,11 @@ ModelOptions model_options_from_json(const std::string& text) {
   ModelOptions options;
   try {
     const Json json = Json::parse(text);
-    std::set<std::string> known = {"position_encoding"};
-    visit_fields(options, [&](const char* name, auto& field) {
-      known.insert(name);
-      if (json.contains(name) || !is_newer(name)) read_option(json, name, field);
+    std::set<std::string> known;
+    for_each_member(options, [&](const char* key, auto& field, const Accepts& accepts, const char*) {
+      known.insert(key);
+      if (json.contains(key) || !accepts.is_newer) read_option(json, key, field);
     });
-    std::string encoding;
-    read_option(json, "position_encoding", encoding);
-    options.position_encoding = position_encoding_from_string(encoding);
     for (const auto& [key, value] : json.items()) {
       if (known.count(key) == 0) throw std::invalid_argument("unknown model option '" + key + "'");
     }

@@ -9,18 +9,20 @@
 namespace rigidformer {
 namespace {
 
-// Wavelengths from twice the MOVi arena down to a quarter of an object.
-constexpr double kLongestWavelength = 32.0;  // [m]
-constexpr double kShortestWavelength = 0.5;  // [m]
-constexpr int64_t kMaxIndexedObjects = 256;  // rows of the learned index embedding
+// Wavelengths from about three widths of the MOVi arena, where a position is unambiguous, down to a fraction of an
+// object (docs/paper_map.md, "§3.3, ω").
+constexpr double kLongestWavelength = 32.0;       // [m]
+constexpr double kShortestWavelength = 0.5;       // [m]
+constexpr std::int64_t kMaxIndexedObjects = 256;  // rows of the learned index embedding; chosen by eye
 
 Tensor masked_mean(const Tensor& points, const Tensor& mask) {
   const Tensor weight = mask.unsqueeze(-1).to(points.scalar_type());
   return (points * weight).sum(2) / weight.sum(2).clamp_min(1.0);
 }
 
-/// Principal axes as columns scaled by the standard deviation along them, [B, K, 9]; signs fixed so that the largest
-/// component is positive. Constants for the gradient, which does not exist where two variances are equal.
+/// Principal axes as columns, scaled by the standard deviation along them, [B, K, 9]. Signs are fixed so
+/// that the largest component is positive. The gradient takes them for constants: it does not exist
+/// where two variances are equal.
 Tensor principal_axes(const Tensor& offsets, const Tensor& mask) {
   const Tensor weighted = offsets * mask.unsqueeze(-1).to(offsets.scalar_type());
   const Tensor count = mask.sum(-1).clamp_min(1).to(offsets.scalar_type()).unsqueeze(-1).unsqueeze(-1);
@@ -31,7 +33,7 @@ Tensor principal_axes(const Tensor& offsets, const Tensor& mask) {
   return (vectors * sign * values.clamp_min(0.0).sqrt().unsqueeze(-2)).flatten(-2);
 }
 
-/// Box along the principal axes: half extents times axes, [B, K, 9].
+/// Box along the principal axes: its half extents times the axes, [B, K, 9].
 Tensor oriented_box(const Tensor& offsets, const Tensor& mask) {
   const Tensor axes = torch::nn::functional::normalize(principal_axes(offsets, mask).unflatten(-1, {3, 3}),
                                                        torch::nn::functional::NormalizeFuncOptions().dim(-2));
@@ -46,8 +48,8 @@ Tensor sinusoidal(const Tensor& positions) {
 
 }  // namespace
 
-Tensor rotary_angles(const Tensor& positions, int64_t rotary_dim) {
-  const int64_t per_axis = rotary_dim / 6;  // frequencies per axis, each used for a pair of channels
+Tensor rotary_angles(const Tensor& positions, std::int64_t rotary_dim) {
+  const std::int64_t per_axis = rotary_dim / 6;  // frequencies per axis, each used for a pair of channels
   const Tensor exponent = torch::linspace(0.0, 1.0, per_axis, positions.options());
   const Tensor omega = 2.0 * M_PI / kLongestWavelength *
                        torch::pow(torch::full_like(exponent, kLongestWavelength / kShortestWavelength), exponent);
@@ -56,7 +58,7 @@ Tensor rotary_angles(const Tensor& positions, int64_t rotary_dim) {
 }
 
 Tensor apply_rotary(const Tensor& x, const Tensor& angles) {
-  const int64_t rotary_dim = angles.size(-1);
+  const std::int64_t rotary_dim = angles.size(-1);
   const Tensor rotated = x.slice(-1, 0, rotary_dim);
   const auto halves = rotated.unflatten(-1, {3, rotary_dim / 3}).chunk(2, -1);  // per axis: [first | second of pair]
   const Tensor swapped = torch::cat({-halves[1], halves[0]}, -1).flatten(-2);
@@ -66,7 +68,7 @@ Tensor apply_rotary(const Tensor& x, const Tensor& angles) {
 }
 
 TokenPositionEncoderImpl::TokenPositionEncoderImpl(const ModelOptions& model_options) : options(model_options) {
-  const int64_t D = options.embedding_dim;
+  const std::int64_t D = options.embedding_dim;
   switch (options.position_encoding) {
     case PositionEncoding::kArope:
     case PositionEncoding::kNone:

@@ -7,18 +7,19 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kShareOfFall = 0.5;  // of the speed that free fall from rest reaches within a step
+constexpr double kShareOfFall = 0.5;  // share of the speed that free fall from rest gains in a step; chosen by eye
 
 /// Whether each object moved less than the limits allow within one step of dt, [B, K] bool.
 Tensor is_still(const Pose& from, const Pose& to, const Tensor& dt, const Tensor& max_speed, double max_spin) {
   const Tensor distance = (to.translation - from.translation).norm(2, -1);
-  // |R - R'| = sqrt(8) sin(angle / 2), accurate for small angles where the trace is not.
+  // The norm |R - R'| = sqrt(8) sin(angle / 2) is accurate for small angles, where the trace is not.
   const Tensor angle = (to.rotation - from.rotation).flatten(-2).norm(2, -1) / std::sqrt(2.0);
   return (distance < max_speed * dt).logical_and(angle < max_spin * dt);
 }
 
-/// What lies on something has no velocity. So has, for an instant, what free motion brought to its highest point: this
-/// is the other way for two poses to say "no velocity" (see StepPrediction::departure).
+/// The previous pose from which free motion would have just reached its highest point. An object that lies on something
+/// has no velocity, and so has, for an instant, one at its highest point: this is the other way for two poses to say
+/// "no velocity" (see StepPrediction::departure).
 Pose highest_point_departure(const SceneBatch& batch, const Pose& departure) {
   const Tensor rise = 0.5 * (batch.gravity * batch.time_step().square()).reshape({-1, 1, 1});
   return {departure.rotation,

@@ -7,20 +7,20 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kSmallestDenominator = 1e-6;  // relative to the largest singular value
+constexpr double kSmallestDenominator = 1e-6;  // share of the largest singular value; chosen by eye
 
 struct Svd {
   Tensor U, S, V;
 };
 
-/// Many 3x3 matrices one by one: a library call per matrix costs more than the decomposition itself.
+/// Decomposes many 3x3 matrices one by one: a library call per matrix costs more than the decomposition itself.
 template <typename Scalar>
 Svd svd_on_cpu(const Tensor& H) {
   using RowMatrix = Eigen::Matrix<Scalar, 3, 3, Eigen::RowMajor>;
   const Tensor dense = H.contiguous();
   Svd svd{torch::empty_like(dense), torch::empty(dense.sizes().slice(0, dense.dim() - 1), dense.options()),
           torch::empty_like(dense)};
-  for (int64_t i = 0; i < dense.numel() / 9; ++i) {
+  for (std::int64_t i = 0; i < dense.numel() / 9; ++i) {
     const RowMatrix matrix = Eigen::Map<const RowMatrix>(dense.data_ptr<Scalar>() + 9 * i);
     const Eigen::JacobiSVD<Eigen::Matrix<Scalar, 3, 3>> solver(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Map<RowMatrix>(svd.U.data_ptr<Scalar>() + 9 * i) = solver.matrixU();
@@ -47,7 +47,8 @@ struct SpecialProcrustes : torch::autograd::Function<SpecialProcrustes> {
     return R;
   }
 
-  /// With H^T = R P, P = U diag(s) U^T: R^T dR is the antisymmetric solution W of P W + W P = R^T dH^T - dH R.
+  /// Backward pass. With H^T = R P, P = U diag(s) U^T, R^T dR is the antisymmetric solution W
+  /// of P W + W P = R^T dH^T - dH R.
   static torch::autograd::tensor_list backward(torch::autograd::AutogradContext* context,
                                                torch::autograd::tensor_list gradients) {
     const auto saved = context->get_saved_variables();

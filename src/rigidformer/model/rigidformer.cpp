@@ -10,10 +10,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kStepUnit = 10.0;     // frames; keeps the FiLM code (s, s^2) near one
-constexpr double kPositionUnit = 5.0;  // [m] half the MOVi arena
-constexpr double kFirstEngineLogit = 1.5;
-constexpr double kEngineShareScale = 1.1;  // above 1: a share of exactly 1 lies within reach
+constexpr double kStepUnit = 10.0;         // frames; keeps the FiLM code (s, s^2) near one for s = 1 ... 10
+constexpr double kPositionUnit = 5.0;      // [m] half the width of the MOVi arena
+constexpr double kFirstEngineLogit = 1.5;  // training starts with an engine share of 0.9; chosen by eye
+constexpr double kEngineShareScale = 1.1;  // above 1, so that a share of exactly 1 is reached; chosen by eye
 
 /// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim]. A scene without a command has c = 0.
 Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
@@ -23,7 +23,7 @@ Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
   return torch::cat({s, s.square(), c}, -1);
 }
 
-/// The points [B, K, P, 3] that tell what an object is, in world coordinates, and which of them are valid.
+/// The points [B, K, P, 3] that tell what an object is, in world coordinates, and a mask of the valid ones.
 struct ShapePoints {
   Tensor world, mask;
 };
@@ -32,7 +32,7 @@ ShapePoints shape_points(const SceneBatch& batch, const Pose& current) {
   return {current.apply(batch.points_reference.slice(2, 0, kShapePoints)), batch.point_mask.slice(2, 0, kShapePoints)};
 }
 
-/// One Newton step towards the nearest rotation. Products of rotations alone would let rounding errors grow
+/// Makes one Newton step towards the nearest rotation. Without it rounding errors of products of rotations would grow
 /// exponentially: each step multiplies them by 1 + sqrt(2).
 Tensor orthonormalized(const Tensor& R) {
   return 1.5 * R - 0.5 * torch::matmul(R, torch::matmul(R.transpose(-1, -2), R));
@@ -87,7 +87,7 @@ StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneStat
   const Tensor q_hat = base.apply(q) + deviation.over_step;
   StepPrediction prediction{q_hat, align_rigidly(q, q_hat, options.differentiable_alignment), state.current};
   if (deviation.beyond.defined()) {
-    // The mean velocity of a step is not the one at its end when something was hit on the way.
+    // When something was hit on the way, the mean velocity of a step is not the velocity at its end.
     const Tensor q_departure = state.current.apply(q) - deviation.beyond;
     prediction.departure = align_rigidly(q, q_departure, options.differentiable_alignment);
   }
@@ -109,7 +109,7 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
     engine_at_anchors = gather_points(e, batch.anchor_index).to(compute_type);
   }
 
-  // Object-level interaction (§3.1)
+  // Interaction of objects (§3.1)
   const Encoding encoding = encoder(h.to(compute_type), batch.point_mask);
   TokenSet objects{encoding.tokens, batch.object_mask, positions.object_angles};
   if (positions.object_embedding.defined()) {
@@ -117,15 +117,15 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   }
   const std::vector<Tensor> Z = decoder(objects, film_code(options, batch).to(compute_type));
 
-  // Anchor-object interaction (§3.2)
+  // Interaction of anchors with objects (§3.2)
   const Tensor u = anchor_vertex_pooling(encoding.vertex_features, x, batch.point_mask, q);
   anchor_state = torch::cat({anchor_state, u}, -1);
   if (engine_at_anchors.defined()) anchor_state = torch::cat({anchor_state, engine_at_anchors}, -1);
   return predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
 }
 
-/// How much of the engine's step goes into the prediction, [B, K, A, 1]. Training starts by trusting it mostly. What
-/// the engine needs no guess for is left to it alone.
+/// Share of the engine's step in the prediction, [B, K, A, 1]. Training starts by trusting the engine mostly. Steps for
+/// which the engine needs no guess are left to it alone.
 Tensor RigidFormerImpl::engine_share(const Tensor& outputs, const EngineMotion& engine) const {
   const Tensor logit = outputs.slice(-1, 6);
   if (fixed_engine_share) return torch::full_like(logit, *fixed_engine_share);
@@ -180,8 +180,8 @@ SceneState advance(const SceneBatch& batch, const SceneState& state, const StepP
   return after;
 }
 
-int64_t count_parameters(const torch::nn::Module& module) {
-  int64_t count = 0;
+std::int64_t count_parameters(const torch::nn::Module& module) {
+  std::int64_t count = 0;
   for (const auto& parameter : module.parameters()) count += parameter.numel();
   return count;
 }

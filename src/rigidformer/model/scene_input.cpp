@@ -2,57 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/scene_input.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
+#include "rigidformer/geometry/surface_normals.hpp"
 #include "rigidformer/model/anchors.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 
 namespace rigidformer {
 namespace {
 
-constexpr int64_t kPointBucket = 64;
-constexpr int kMinPoints = 4;
-constexpr double kMinSpread = 1e-4;  // [m] standard deviation across the second axis below which a cloud is a line
-constexpr int64_t kMaxSurfacePoints = 4096;
-
-[[noreturn]] void fail(const ObjectState& object, const std::string& defect) {
-  throw std::invalid_argument("object '" + object.id + "': " + defect);
-}
-
-void check_property(const ObjectState& object, const std::optional<double>& value, const char* name, double low,
-                    double high) {
-  if (value && !(*value >= low && *value <= high)) {
-    fail(object, std::string(name) + " is " + std::to_string(*value) + ", must lie in [" + std::to_string(low) + ", " +
-                     std::to_string(high) + "]");
-  }
-}
-
-/// Three anchors that are not on a line are needed to fix a rotation.
-bool is_line(const Points& points) {
-  const Eigen::MatrixX3d centred = points.cast<double>().rowwise() - points.cast<double>().colwise().mean();
-  const Eigen::Matrix3d covariance = centred.transpose() * centred / static_cast<double>(points.rows());
-  const Eigen::Vector3d variance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
-  return std::sqrt(std::max(0.0, variance[1])) < kMinSpread;
-}
-
-void validate_object(const ObjectState& object) {
-  if (object.points_reference.rows() < kMinPoints) {
-    fail(object, "has " + std::to_string(object.points_reference.rows()) + " points, at least " +
-                     std::to_string(kMinPoints) + " are needed");
-  }
-  if (!object.points_reference.allFinite()) fail(object, "points_reference holds values that are not finite");
-  if (is_line(object.points_reference)) fail(object, "points_reference lie on a line: the rotation is undefined");
-  if (!is_valid(object.T_world_previous)) fail(object, "T_world_previous is not a finite pose with a unit quaternion");
-  if (!is_valid(object.T_world_current)) fail(object, "T_world_current is not a finite pose with a unit quaternion");
-  check_property(object, object.properties.mass_kg, "mass_kg", 1e-6, 1e6);
-  check_property(object, object.properties.friction, "friction", 0.0, 1e3);
-  check_property(object, object.properties.restitution, "restitution", 0.0, 1.0);
-}
+constexpr std::int64_t kPointBucket = 64;         // points; padded sizes are multiples of it; by eye
+constexpr std::int64_t kMaxSurfacePoints = 4096;  // points of an object that the engine gets; chosen by eye
 
 void check_range(const char* field, double value, bool good, const char* bound) {
   if (!good) {
@@ -60,7 +24,7 @@ void check_range(const char* field, double value, bool good, const char* bound) 
   }
 }
 
-/// The points the network looks at, farthest-point order.
+/// The points that the network looks at, in farthest-point order.
 Points select_points(const Points& cloud, int max_points) {
   const std::vector<int> order = farthest_point_order(cloud, max_points);
   Points selected(static_cast<Eigen::Index>(order.size()), 3);
@@ -68,25 +32,25 @@ Points select_points(const Points& cloud, int max_points) {
   return selected;
 }
 
-void store_pose(const RigidTransform& T, const Eigen::Vector3d& origin, Pose& pose, int64_t k) {
+void store_pose(const RigidTransform& T, const Eigen::Vector3d& origin, Pose& pose, std::int64_t k) {
   const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> R = T.rotation.normalized().toRotationMatrix().cast<float>();
   const Eigen::Vector3f t = (T.translation - origin).cast<float>();
   pose.rotation[0][k] = torch::tensor(std::vector<float>(R.data(), R.data() + 9)).reshape({3, 3});
   pose.translation[0][k] = torch::tensor(std::vector<float>(t.data(), t.data() + 3));
 }
 
-void store_properties(const ObjectState& object, bool reads_mask, SceneBatch& batch, int64_t k) {
+void store_properties(const ObjectState& object, bool reads_mask, SceneBatch& batch, std::int64_t k) {
   const std::optional<double> values[] = {object.properties.mass_kg, object.properties.friction,
                                           object.properties.restitution};
   const double means[] = {kMeanMass, kMeanFriction, kMeanRestitution};
-  for (int64_t i = 0; i < 3; ++i) {
+  for (std::int64_t i = 0; i < 3; ++i) {
     const double stand_in = reads_mask ? 0.0 : means[i];
     batch.properties[0][k][i] = values[i].value_or(stand_in);
     batch.properties_known[0][k][i] = values[i].has_value() ? 1.0 : 0.0;
   }
 }
 
-/// Every n-th point, so that at most `max_points` are left.
+/// Takes every n-th point, so that at most `max_points` are left.
 Points thinned(const Points& cloud, Eigen::Index max_points) {
   const Eigen::Index stride = (cloud.rows() + max_points - 1) / max_points;
   if (stride <= 1) return cloud;
@@ -97,21 +61,31 @@ Points thinned(const Points& cloud, Eigen::Index max_points) {
 
 /// The clouds for the physics engine, which can do with more points than the network.
 void store_surfaces(const std::vector<ObjectState>& objects, SceneBatch& batch) {
-  const auto K = static_cast<int64_t>(objects.size());
-  int64_t longest = 1;
-  for (const ObjectState& object : objects) longest = std::max<int64_t>(longest, object.points_reference.rows());
-  const int64_t M = std::min(longest, kMaxSurfacePoints);
+  const auto K = static_cast<std::int64_t>(objects.size());
+  std::int64_t longest = 1;
+  for (const ObjectState& object : objects) longest = std::max<std::int64_t>(longest, object.points_reference.rows());
+  const std::int64_t M = std::min(longest, kMaxSurfacePoints);
   batch.surface_points = torch::zeros({1, K, M, 3});
   batch.surface_mask = torch::zeros({1, K, M}, torch::kBool);
-  for (int64_t k = 0; k < K; ++k) {
+  for (std::int64_t k = 0; k < K; ++k) {
     Points cloud = thinned(objects[static_cast<size_t>(k)].points_reference, kMaxSurfacePoints);
-    const int64_t n = cloud.rows();
+    const std::int64_t n = cloud.rows();
     batch.surface_points[0][k].slice(0, 0, n).copy_(torch::from_blob(cloud.data(), {n, 3}));
     batch.surface_mask[0][k].slice(0, 0, n).fill_(true);
   }
 }
 
-Pose identity_poses(int64_t K) {
+void store_normals(const std::vector<Points>& clouds, SceneBatch& batch) {
+  batch.normals_reference = torch::zeros_like(batch.points_reference);
+  for (size_t k = 0; k < clouds.size(); ++k) {
+    Points normals = estimate_normals(clouds[k]);
+    batch.normals_reference[0][static_cast<std::int64_t>(k)]
+        .slice(0, 0, normals.rows())
+        .copy_(torch::from_blob(normals.data(), {normals.rows(), 3}));
+  }
+}
+
+Pose identity_poses(std::int64_t K) {
   return {torch::eye(3).reshape({1, 1, 3, 3}).repeat({1, K, 1, 1}), torch::zeros({1, K, 3})};
 }
 
@@ -127,12 +101,7 @@ Eigen::Vector3d scene_origin(const std::vector<ObjectState>& objects, const Roll
 
 }  // namespace
 
-void validate_scene(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
-  std::set<std::string> ids;
-  for (const ObjectState& object : objects) {
-    validate_object(object);
-    if (!ids.insert(object.id).second) fail(object, "this id appears more than once");
-  }
+void validate_options(const RolloutOptions& rollout) {
   check_range("num_steps", rollout.num_steps, rollout.num_steps >= 1, "at least 1");
   check_range("time_step_s", rollout.time_step_s, std::isfinite(rollout.time_step_s) && rollout.time_step_s > 0.0,
               "positive and finite");
@@ -143,14 +112,14 @@ void validate_scene(const std::vector<ObjectState>& objects, const RolloutOption
 
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                             const ModelOptions& model, int max_points) {
-  const auto K = static_cast<int64_t>(objects.size());
+  const auto K = static_cast<std::int64_t>(objects.size());
   SceneInput input;
-  int64_t longest = 1;
+  std::int64_t longest = 1;
   for (const ObjectState& object : objects) {
     input.clouds.push_back(select_points(object.points_reference, max_points));
-    longest = std::max<int64_t>(longest, input.clouds.back().rows());
+    longest = std::max<std::int64_t>(longest, input.clouds.back().rows());
   }
-  const int64_t N = (longest + kPointBucket - 1) / kPointBucket * kPointBucket;
+  const std::int64_t N = (longest + kPointBucket - 1) / kPointBucket * kPointBucket;
   input.origin_world = scene_origin(objects, rollout);
   input.state = {identity_poses(K), identity_poses(K), identity_poses(K)};
 
@@ -164,10 +133,10 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   batch.step_size = torch::full({1}, rollout.time_step_s * kFrameRateHz);
   batch.ground_height = torch::full({1}, rollout.ground_height_m ? 0.0 : kNoGround);
   batch.gravity = torch::full({1}, rollout.gravity);
-  for (int64_t k = 0; k < K; ++k) {
+  for (std::int64_t k = 0; k < K; ++k) {
     const ObjectState& object = objects[static_cast<size_t>(k)];
     Points& cloud = input.clouds[static_cast<size_t>(k)];
-    const int64_t n = cloud.rows();
+    const std::int64_t n = cloud.rows();
     batch.points_reference[0][k].slice(0, 0, n).copy_(torch::from_blob(cloud.data(), {n, 3}));
     batch.point_mask[0][k].slice(0, 0, n).fill_(true);
     batch.dynamic_mask[0][k] = object.mode == MotionMode::kDynamic;
@@ -178,6 +147,7 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   }
   input.state.first = input.state.previous;
   if (model.engine_motion) store_surfaces(objects, batch);
+  if (model.local_planes) store_normals(input.clouds, batch);
   const Tensor start_score = model.random_anchors ? torch::rand({1, K, N}) : Tensor();
   batch.anchor_index = farthest_anchors(batch.points_reference, batch.point_mask, model.num_anchors, start_score);
   return input;
@@ -187,7 +157,7 @@ std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose) 
   const Tensor R = pose.rotation[0].to(torch::kCPU, torch::kFloat64).contiguous();
   const Tensor t = pose.translation[0].to(torch::kCPU, torch::kFloat64).contiguous();
   std::vector<RigidTransform> T_world_reference;
-  for (int64_t k = 0; k < R.size(0); ++k) {
+  for (std::int64_t k = 0; k < R.size(0); ++k) {
     const Eigen::Matrix3d rotation =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data_ptr<double>() + 9 * k);
     const Eigen::Vector3d translation = Eigen::Map<const Eigen::Vector3d>(t.data_ptr<double>() + 3 * k);

@@ -40,8 +40,9 @@ RawTensor to_raw(const torch::Tensor& tensor, TensorType type) {
 
 torch::Tensor from_raw(const RawTensor& raw) {
   torch::Tensor tensor = torch::empty(raw.shape, scalar_type(raw.type));
-  if (tensor.nbytes() != raw.bytes.size())
+  if (tensor.nbytes() != raw.bytes.size()) {
     throw std::invalid_argument("raw tensor has a size that does not fit its shape");
+  }
   if (!raw.bytes.empty()) std::memcpy(tensor.data_ptr(), raw.bytes.data(), raw.bytes.size());
   return tensor;
 }

@@ -9,6 +9,7 @@
 #include <torch/torch.h>
 
 #include <cstdlib>
+#include <mutex>
 
 // Present when LibTorch was built with OpenBLAS; resolved at load time, null otherwise.
 extern "C" {
@@ -22,6 +23,7 @@ namespace rigidformer {
 namespace {
 
 constexpr const char* kCoreVariable = "OPENBLAS_CORETYPE";
+constexpr const char* kOldestCore = "Prescott";  // what OpenBLAS says when it does not know the processor
 
 /// OpenBLAS's name for the loops that suit the vector units, null for old processors.
 const char* core_for_vector_units() {
@@ -35,24 +37,22 @@ const char* core_for_vector_units() {
   return nullptr;
 }
 
-/// True when OpenBLAS had to be told. While the library is loaded: later, other threads might be multiplying.
-bool choose_core() {
-  const bool can_choose = gotoblas_dynamic_init != nullptr && gotoblas_dynamic_quit != nullptr;
-  const char* core = core_for_vector_units();
-  const bool is_unknown = linear_algebra_core() == "Prescott";
-  if (!can_choose || core == nullptr || !is_unknown || std::getenv(kCoreVariable) != nullptr) return false;
-  setenv(kCoreVariable, core, 1);
-  gotoblas_dynamic_quit();
-  gotoblas_dynamic_init();
-  unsetenv(kCoreVariable);
-  return true;
-}
-
-const bool kChoseCore = choose_core();
-
 }  // namespace
 
 std::string linear_algebra_core() { return openblas_get_corename != nullptr ? openblas_get_corename() : ""; }
+
+void use_vector_units() {
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const bool can_choose = gotoblas_dynamic_init != nullptr && gotoblas_dynamic_quit != nullptr;
+  const char* core = core_for_vector_units();
+  const bool is_unknown = linear_algebra_core() == kOldestCore;
+  if (!can_choose || core == nullptr || !is_unknown || std::getenv(kCoreVariable) != nullptr) return;
+  setenv(kCoreVariable, core, 1);  // OpenBLAS reads it whenever it starts, not only when it is loaded
+  gotoblas_dynamic_quit();
+  gotoblas_dynamic_init();
+  unsetenv(kCoreVariable);
+}
 
 void set_num_threads(int num_threads) {
   torch::set_num_threads(num_threads);

@@ -10,16 +10,16 @@
 namespace rigidformer {
 namespace {
 
-/// The part of `larger` that `like` fills. Throws when it does not fit.
+/// The part of `larger` that a tensor like `like` fills. Throws when `like` does not fit into `larger`.
 Tensor corner(const std::string& name, Tensor larger, const Tensor& like) {
   bool fits = larger.dim() == like.dim();
-  for (int64_t d = 0; fits && d < like.dim(); ++d) fits = larger.size(d) >= like.size(d);
+  for (std::int64_t d = 0; fits && d < like.dim(); ++d) fits = larger.size(d) >= like.size(d);
   if (!fits) {
     std::ostringstream message;
     message << "tensor '" << name << "' has shape " << like.sizes() << ", which does not fit into " << larger.sizes();
     throw std::invalid_argument(message.str());
   }
-  for (int64_t d = 0; d < like.dim(); ++d) larger = larger.slice(d, 0, like.size(d));
+  for (std::int64_t d = 0; d < like.dim(); ++d) larger = larger.slice(d, 0, like.size(d));
   return larger;
 }
 

@@ -13,9 +13,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr float kInsideTolerance = 1e-4F;  // [m]
-constexpr double kMinArea = 1e-12;         // [m^2]: slivers have no reliable normal
-constexpr int kTriesPerPoint = 1000;
+constexpr float kInsideTolerance = 1e-4F;  // [m] within it a point lies on a face, not inside; chosen by eye
+constexpr double kMinArea = 1e-12;         // [m^2] slivers below it have no reliable normal; chosen by eye
+constexpr int kTriesPerPoint = 1000;       // rejected points after which a shape has no outer surface; chosen by eye
 
 struct Triangle {
   Eigen::Vector3f corner, edge_1, edge_2, normal;
@@ -77,7 +77,7 @@ const Triangle& draw_triangle(const Surface& surface, Random& random) {
   return surface.triangles[static_cast<std::size_t>(index)];
 }
 
-/// Uniform on the triangle: the far half of the parallelogram is folded back.
+/// Draws a point uniformly from the triangle: the far half of the parallelogram is folded back.
 Eigen::Vector3f draw_point(const Triangle& triangle, Random& random) {
   auto u = static_cast<float>(random.uniform(0.0, 1.0));
   auto v = static_cast<float>(random.uniform(0.0, 1.0));
@@ -88,7 +88,8 @@ Eigen::Vector3f draw_point(const Triangle& triangle, Random& random) {
   return triangle.corner + u * triangle.edge_1 + v * triangle.edge_2;
 }
 
-/// Inside another part, or on a face that two parts share: looking outwards by twice the tolerance finds both.
+/// Whether the point lies inside another part or on a face that two parts share: looking outwards by more than
+/// twice the tolerance finds both.
 bool is_hidden(const Surface& surface, const Triangle& triangle, const Eigen::Vector3f& point) {
   const Eigen::Vector3f outside = point + 2.5F * kInsideTolerance * triangle.normal;
   for (std::size_t i = 0; i < surface.planes.size(); ++i) {

@@ -32,7 +32,7 @@ void add_circle(PointList& list, int count, double radius, const Eigen::Vector3d
   }
 }
 
-/// Points spread evenly over an ellipsoid along a golden spiral.
+/// Spreads points evenly over an ellipsoid along a golden spiral.
 PointList ellipsoid(int count, const Eigen::Vector3d& centre, const Eigen::Vector3d& radii) {
   const double golden_angle = M_PI * (3.0 - std::sqrt(5.0));
   PointList list;
@@ -54,10 +54,10 @@ ConvexPart box(const Eigen::Vector3d& centre, const Eigen::Vector3d& half_extent
   return hull_of(list);
 }
 
-/// A cube whose corners and edges are slightly cut, as real edges are.
+/// Makes a cube whose corners and edges are slightly cut, as those of real things are.
 std::vector<ConvexPart> make_cube() {
-  constexpr double kHalf = 0.5;
-  constexpr double kBevel = 0.02;
+  constexpr double kHalf = 0.5;    // [m] half the edge of a cube of 1 m
+  constexpr double kBevel = 0.02;  // [m] cut from corners and edges; chosen by eye
   PointList list;
   for (int axis = 0; axis < 3; ++axis) {
     for (int corner = 0; corner < 8; ++corner) {
@@ -71,7 +71,7 @@ std::vector<ConvexPart> make_cube() {
   return {hull_of(list)};
 }
 
-/// Solid of revolution about z through the (z, radius) profile, one convex frustum per profile segment.
+/// Makes a solid of revolution about z through the (z, radius) profile, with one convex frustum per profile segment.
 std::vector<ConvexPart> revolve(const std::vector<std::pair<double, double>>& profile, int sides) {
   std::vector<ConvexPart> parts;
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
@@ -89,7 +89,8 @@ std::vector<ConvexPart> revolve(const std::vector<std::pair<double, double>>& pr
   return parts;
 }
 
-/// A closed tube along `curve` (parameter 0...1), one convex part per segment; neighbours share their end circle.
+/// Makes a closed tube along `curve` (parameter 0...1), with one convex part per segment;
+/// neighbours share their end circle.
 std::vector<ConvexPart> tube(const std::function<Eigen::Vector3d(double)>& curve, double radius, int segments,
                              int sides) {
   std::vector<ConvexPart> parts;
@@ -113,7 +114,7 @@ std::vector<ConvexPart> make_torus() {
   return tube(circle, 0.15, 16, 12);
 }
 
-/// The (2, 3) torus knot.
+/// Makes the (2, 3) torus knot.
 std::vector<ConvexPart> make_torus_knot() {
   const auto knot = [](double t) {
     const double angle = 2 * M_PI * t;
@@ -123,10 +124,10 @@ std::vector<ConvexPart> make_torus_knot() {
   return tube(knot, 0.11, 30, 10);
 }
 
-/// A ring of blocks with a hole for the axle, every second block carrying a tooth.
+/// Makes a ring of blocks with a hole for the axle, in which every second block carries a tooth.
 std::vector<ConvexPart> make_gear() {
-  constexpr int kBlocks = 16;
-  constexpr double kHalfThickness = 0.14;
+  constexpr int kBlocks = 16;              // blocks of the ring; chosen by eye, as the other sizes
+  constexpr double kHalfThickness = 0.14;  // [m] near KuBasic's gear; chosen by eye
   const auto sector = [](int block, double inner, double outer, double narrow) {
     PointList list;
     for (const double side : {-0.5 * narrow, 0.5 * narrow}) {
@@ -146,7 +147,7 @@ std::vector<ConvexPart> make_gear() {
   return parts;
 }
 
-/// Menger sponge of level 1: 20 of 27 cells.
+/// Makes a Menger sponge of level 1, which has 20 of 27 cells.
 std::vector<ConvexPart> make_sponge() {
   std::vector<ConvexPart> parts;
   for (int x = -1; x <= 1; ++x) {
@@ -160,7 +161,7 @@ std::vector<ConvexPart> make_sponge() {
   return parts;
 }
 
-/// An ellipsoid with low bumps; the hull makes it convex.
+/// Makes an ellipsoid with low bumps; the hull makes it convex.
 std::vector<ConvexPart> make_pebble() {
   PointList list = ellipsoid(96, Eigen::Vector3d::Zero(), {0.62, 0.46, 0.3});
   for (Eigen::Vector3d& p : list) p *= 1.0 + 0.08 * std::sin(5.0 * p.x() + 1.0) * std::cos(4.0 * p.y() - 0.5);
@@ -179,7 +180,7 @@ std::vector<ConvexPart> make_pear() {
                  16);
 }
 
-/// A shaft with two knobs at each end.
+/// Makes a shaft with two knobs at each end.
 std::vector<ConvexPart> make_bone() {
   std::vector<ConvexPart> parts = revolve({{-0.5, 0.15}, {0.0, 0.11}, {0.5, 0.15}}, 12);
   for (const double z : {-0.55, 0.55}) {
@@ -203,8 +204,8 @@ std::pair<double, Eigen::Vector3d> volume_and_moment(const ConvexPart& part) {
   return {volume, moment};
 }
 
-/// Centres the parts on their centre of mass. Parts that overlap do so symmetrically, so counting them twice is
-/// harmless.
+/// Moves the parts so that their centre of mass is the origin. Parts that overlap do so symmetrically, so that
+/// counting them twice does no harm.
 Shape finish(std::string name, std::vector<ConvexPart> parts) {
   double volume = 0.0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -235,6 +236,20 @@ const std::vector<Shape>& builtin_shapes() {
       finish("torus", make_torus()),
       finish("torus_knot", make_torus_knot())};
   return shapes;
+}
+
+Symmetry symmetry_of(const std::string& shape) {
+  if (shape == "sphere") return Symmetry::kAll;
+  const bool of_revolution = shape == "cone" || shape == "cylinder" || shape == "pear" || shape == "torus";
+  return of_revolution ? Symmetry::kAxis : Symmetry::kNone;
+}
+
+double visible_angle(const std::string& shape, const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const Symmetry symmetry = symmetry_of(shape);
+  if (symmetry == Symmetry::kAll) return 0.0;
+  if (symmetry == Symmetry::kNone) return rotation_angle(a, b);
+  const Eigen::Vector3d axis_a = a * Eigen::Vector3d::UnitZ(), axis_b = b * Eigen::Vector3d::UnitZ();
+  return std::atan2(axis_a.cross(axis_b).norm(), axis_a.dot(axis_b));
 }
 
 }  // namespace rigidformer

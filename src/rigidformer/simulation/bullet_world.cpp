@@ -10,9 +10,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kFloorHalfWidth = 50.0;  // [m], beyond where objects can roll in a scene
-constexpr double kFloorHalfHeight = 1.0;  // [m]
-constexpr double kImmovableMass = 1e6;    // [kg]
+constexpr double kFloorHalfWidth = 50.0;  // [m] farther than objects can roll in a scene; chosen by eye
+constexpr double kFloorHalfHeight = 1.0;  // [m] chosen by eye
+constexpr double kImmovableMass = 1e6;    // [kg] so heavy that objects of a scene cannot push it; chosen by eye
 
 btVector3 to_bullet(const Eigen::Vector3d& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
@@ -41,7 +41,7 @@ double require_known(const char* field, const std::optional<double>& value) {
   return *value;
 }
 
-/// A body with the collision shapes it owns.
+/// A body with the collision shapes that it owns.
 struct Body {
   std::vector<std::unique_ptr<btConvexHullShape>> hulls;
   std::unique_ptr<btCollisionShape> shape;
@@ -129,8 +129,7 @@ BulletWorld::~BulletWorld() = default;
 BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
 BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
 
-int BulletWorld::add_body(const Shape& shape, double size, const PhysicalProperties& properties,
-                          const BodyState& state) {
+int BulletWorld::add_body(const Shape& shape, double size, const BodyProperties& properties, const BodyState& state) {
   require_positive("size", size);
   const auto mass = static_cast<btScalar>(require_known("mass_kg", properties.mass_kg));
   require_positive("mass_kg", mass);
@@ -159,8 +158,7 @@ int BulletWorld::add_body(const Shape& shape, double size, const PhysicalPropert
   return num_bodies() - 1;
 }
 
-int BulletWorld::add_driven_body(const Shape& shape, double size, PhysicalProperties properties,
-                                 const BodyState& state) {
+int BulletWorld::add_driven_body(const Shape& shape, double size, BodyProperties properties, const BodyState& state) {
   properties.mass_kg = kImmovableMass;
   const int body = add_body(shape, size, properties, state);
   impl_->bodies.back().body->setGravity(btVector3(0, 0, 0));

@@ -11,11 +11,11 @@
 namespace rigidformer {
 namespace {
 
-constexpr float kMinThickness_m = 0.01F;
+constexpr float kMinThickness_m = 0.01F;  // [m] thinner clouds get this thickness; chosen by eye
 
 using Triangles = decltype(ConvexPart::triangles);
 
-/// Bullet's faces are planar polygons: cut each into a fan that faces away from `centre`.
+/// Cuts Bullet's faces, which are planar polygons, into fans of triangles that face away from `centre`.
 Triangles fan_triangles(const btConvexHullComputer& hull, const Points& vertices) {
   const Eigen::Vector3f centre = vertices.colwise().mean().transpose();
   std::vector<Eigen::Vector3i> triangles;
@@ -33,8 +33,9 @@ Triangles fan_triangles(const btConvexHullComputer& hull, const Points& vertices
     }
   }
   Triangles result(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
     result.row(static_cast<Eigen::Index>(i)) = triangles[i].transpose();
+  }
   return result;
 }
 

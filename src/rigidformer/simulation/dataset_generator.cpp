@@ -15,6 +15,7 @@
 #include "rigidformer/data/kubric.hpp"
 #include "rigidformer/data/scene_archive.hpp"
 #include "rigidformer/io/sha256.hpp"
+#include "rigidformer/io/text_file.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
 
 namespace rigidformer {
@@ -23,10 +24,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kScenesPerShard = 100;
+constexpr int kScenesPerShard = 100;  // scenes of one archive, which a stopped run can lose; chosen by eye
 constexpr char kGenerationFile[] = "generation.json";
 
-/// SHA-256 over names, masses and vertices.
+/// SHA-256 over the names, masses and vertices of the shapes.
 std::string fingerprint(const std::vector<Shape>& shapes) {
   std::string bytes;
   for (const Shape& shape : shapes) {
@@ -53,10 +54,7 @@ void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shape
       throw std::runtime_error("'" + options.output.string() + "' is not empty and has no " + kGenerationFile +
                                ": choose another folder");
     }
-    std::ofstream out(path);
-    out << wanted.dump(2) << '\n';
-    out.close();
-    if (!out) throw std::runtime_error("cannot write '" + path.string() + "'");
+    save_text_file(path, wanted.dump(2) + '\n');
     return;
   }
   std::ifstream in(path);
@@ -70,7 +68,7 @@ void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shape
   }
 }
 
-/// Shards count as finished when they read without error and hold at least the scenes asked for.
+/// Whether a shard is finished: it reads without error and holds at least the scenes asked for.
 bool is_complete_shard(const fs::path& path, int num_scenes) {
   if (!fs::exists(path)) return false;
   try {

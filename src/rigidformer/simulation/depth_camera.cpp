@@ -11,13 +11,13 @@
 namespace rigidformer {
 namespace {
 
-/// Standard normal number (Box and Muller).
+/// Draws a standard normal number by the method of Box and Muller.
 double draw_normal(Random& random) {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform(0.0, 1.0)));
   return radius * std::cos(random.uniform(0.0, 2.0 * M_PI));
 }
 
-/// The labels of the four neighbours of a pixel; its own beyond the edge of the image.
+/// The labels of the four neighbours of a pixel; beyond the edge of the image the pixel's own label.
 std::vector<int> neighbours(const DepthImage& image, int column, int row) {
   const int width = image.intrinsics.width;
   const auto at = [&](int c, int r) {

@@ -11,14 +11,14 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kNearest_m = 1e-3;
-constexpr double kSurfaceTolerance_px = 3.0;  // Depth that a slanted surface may gain within a pixel or two
+constexpr double kNearest_m = 1e-3;           // [m] nearer parts are not seen; chosen by eye
+constexpr double kSurfaceTolerance_px = 3.0;  // depth that a slanted surface gains within a pixel or two; by eye
 
 struct PixelBox {
   int first_column, last_column, first_row, last_row;
 };
 
-/// Pixels whose middles may lie inside the triangle's image; all when a corner is beside or behind the camera.
+/// Pixels whose middles may lie inside the triangle's image; all pixels when a corner is beside or behind the camera.
 PixelBox pixel_box(const CameraIntrinsics& camera, const Eigen::Matrix3d& corners) {
   if (corners.row(2).minCoeff() < kNearest_m) return {0, camera.width - 1, 0, camera.height - 1};
   const double f = camera.focal_length_px();
@@ -35,7 +35,8 @@ PixelBox pixel_box(const CameraIntrinsics& camera, const Eigen::Matrix3d& corner
           std::min(camera.height - 1, bound(std::floor(rows.maxCoeff()), camera.height))};
 }
 
-/// Draws one triangle whose corners are the columns of `corners` [m]. Parts are closed: back sides are never seen.
+/// Draws one triangle whose corners are the columns of `corners` [m]. Parts are closed, so
+/// that back sides are never seen.
 void draw_triangle(const Eigen::Matrix3d& corners, int body, DepthImage& image) {
   const Eigen::Vector3d a = corners.col(0);
   const Eigen::Vector3d normal = (corners.col(1) - a).cross(corners.col(2) - a);
@@ -132,7 +133,7 @@ double visible_fraction(const DepthImage& image, const CameraBody& body, int ind
     const double tolerance_m = kSurfaceTolerance_px * p.z() / f;
     const bool hidden = image.depth_m[pixel] < p.z() - tolerance_m;
     const bool other = image.body[pixel] != index && image.body[pixel] != DepthImage::kBackground;
-    // At the rim the pixel may already show what lies behind the body.
+    // At the rim of a body, the pixel may already show what lies behind it.
     visible += hidden || (other && image.depth_m[pixel] < p.z()) ? 0 : 1;
   }
   return points.rows() == 0 ? 0.0 : static_cast<double>(visible) / static_cast<double>(points.rows());

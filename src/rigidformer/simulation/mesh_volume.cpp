@@ -5,11 +5,12 @@
 namespace rigidformer {
 
 MeshVolume measure_volume(const ConvexPart& mesh) {
-  // Tetrahedra between the faces and the mean of the vertices; those of faces that look at it count as negative.
+  // The volume is summed over tetrahedra between the faces and the mean of the vertices; those of faces that look
+  // at the mean count as negative.
   const Eigen::Vector3d apex = mesh.vertices.cast<double>().colwise().mean().transpose();
   MeshVolume sum;
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    Eigen::Matrix3d corners;  // as columns
+    Eigen::Matrix3d corners;  // columns are corners
     for (int k = 0; k < 3; ++k) corners.col(k) = mesh.vertices.row(mesh.triangles(f, k)).transpose().cast<double>();
     const double volume = (corners.colwise() - apex).eval().determinant() / 6.0;
     sum.volume_m3 += volume;

@@ -18,10 +18,11 @@ struct Material {
   double restitution;
   double density_factor;
 };
+// Friction, restitution and density factor of the two materials of the MOVi scenes (published constants).
 constexpr Material kMetal{0.4, 0.3, 2.7};
 constexpr Material kRubber{0.8, 0.7, 1.1};
 
-constexpr int kMaxSceneDraws = 1000;
+constexpr int kMaxSceneDraws = 1000;  // draws of a scene before it counts as impossible; chosen by eye
 
 const Shape* find(const std::vector<Shape>& library, const std::string& name) {
   const auto found = std::find_if(library.begin(), library.end(), [&](const Shape& s) { return s.name == name; });
@@ -38,7 +39,7 @@ std::vector<Shape> pick(const std::vector<Shape>& library, const std::vector<std
   return picked;
 }
 
-/// Axis-aligned box of the rotated and scaled shape, as offsets from its origin [m].
+/// Axis-aligned box of the rotated and scaled shape, given as offsets from the shape's origin [m].
 Eigen::AlignedBox3d rotated_bounds(const Points& vertices, double size, const Eigen::Quaterniond& rotation) {
   const Points rotated = RigidTransform{rotation, Eigen::Vector3d::Zero()}.apply(vertices);
   return {size * rotated.colwise().minCoeff().transpose().cast<double>(),
@@ -73,7 +74,7 @@ BodyState draw_state(const Points& vertices, double size, const MoviOptions& opt
   return state;
 }
 
-/// Tries to place one object clear of all others.
+/// Tries to place one object where it touches no other.
 bool place(BulletWorld& world, const Shape& shape, const RecordedObject& object, const MoviOptions& options,
            Random& random) {
   const int body = world.add_body(shape, object.size, object.properties, {});
@@ -85,7 +86,7 @@ bool place(BulletWorld& world, const Shape& shape, const RecordedObject& object,
   return false;
 }
 
-/// One draw of a whole scene; empty when an object found no room.
+/// Draws a whole scene once; empty when an object found no room.
 std::optional<SceneRecording> draw_scene(MoviSet set, const std::vector<Shape>& shapes, const MoviOptions& options,
                                          Random& random) {
   SceneRecording scene;

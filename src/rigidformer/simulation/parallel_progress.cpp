@@ -12,7 +12,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kBarWidth = 30;
+constexpr int kBarWidth = 30;  // characters; chosen by eye
 constexpr std::chrono::milliseconds kPrintInterval(500);
 
 std::string format_duration(double seconds) {

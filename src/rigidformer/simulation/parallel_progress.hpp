@@ -12,13 +12,13 @@ namespace rigidformer {
 /// Calls `work(i)` for i in [0, count) on `jobs` threads. The first exception stops the rest and is thrown again.
 void parallel_for(int count, int jobs, const std::function<void(int)>& work);
 
-/// A line with a bar, the rate and the time left, rewritten in place at most twice a second. Thread safe.
+/// A line with a bar, the rate and the time left, rewritten in place at most twice a second. It is thread safe.
 class Progress {
  public:
   Progress(int total, std::ostream& log);
 
-  void advance();        ///< One more item was made
-  void skip(int count);  ///< Items that were there already; they do not count for the rate
+  void advance();        ///< Counts one more item as made
+  void skip(int count);  ///< Counts items that were there already; they are left out of the rate
   void finish();         ///< Ends the line
 
  private:

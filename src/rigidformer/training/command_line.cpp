@@ -3,10 +3,23 @@
 #include "rigidformer/training/command_line.hpp"
 
 #include <exception>
+#include <type_traits>
 
+#include "rigidformer/io/member_table.hpp"
 #include "rigidformer/training/options.hpp"
 
 namespace rigidformer {
+
+std::string training_keys() {
+  TrainingOptions options;
+  std::string text = "Keys of a training file:\n" + help_lines(member_rows(options));
+  for_each_member(options, [&text](const char* key, auto& section, const Accepts&, const char* description) {
+    if constexpr (has_members<std::decay_t<decltype(section)>>) {
+      text += std::string(key) + ": " + description + "\n" + help_lines(member_rows(section));
+    }
+  });
+  return text;
+}
 
 int run_train(const TrainCommand& command, std::ostream& log) {
   try {

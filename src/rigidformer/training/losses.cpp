@@ -8,9 +8,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr int64_t kDirections = 64;
+constexpr std::int64_t kDirections = 64;  // drawn per loss, along which hulls are compared; chosen by eye
 
-/// Smooth L1 (Eq. 7) of a residual [B, K, *, 3]: summed over coordinates, mean over the rest for valid objects.
+/// Smooth L1 (Eq. 7) of a residual [B, K, *, 3]: the sum over coordinates, and the mean
+/// over the rest for valid objects.
 Tensor smooth_l1(const Tensor& residual, const Tensor& object_mask, double beta) {
   const Tensor size = residual.abs();
   const Tensor value = torch::where(size < beta, 0.5 * residual.square() / beta, size - 0.5 * beta).sum(-1).mean(-1);
@@ -18,7 +19,7 @@ Tensor smooth_l1(const Tensor& residual, const Tensor& object_mask, double beta)
   return (value * weight).sum() / weight.sum().clamp_min(1.0);
 }
 
-/// Support function of clouds [B, K, N, 3]: how far they reach into directions [D, 3], [B, K, D].
+/// Support function of clouds [B, K, N, 3]: how far they reach into directions [D, 3], as [B, K, D].
 Tensor reach(const Tensor& points, const Tensor& mask, const Tensor& directions) {
   const Tensor along = torch::matmul(points, directions.t());
   return along.masked_fill(mask.logical_not().unsqueeze(-1), -1e6).amax(2);
@@ -64,7 +65,7 @@ Tensor hidden_side_loss(const LossOptions& options, const WindowBatch& windows, 
   const Tensor seen = reach(scene.surface_points, scene.surface_mask, directions);
   const Tensor completed =
       torch::maximum(seen, reach(hidden_points, scene.point_mask.slice(2, 0, hidden_points.size(2)), directions));
-  const Tensor centre = torch::zeros_like(scene.properties);  // of mass, the origin of the reference frame
+  const Tensor centre = torch::zeros_like(scene.properties);  // the origin of the reference frame
   const Tensor radius = bounding_radius(windows.whole_surface, windows.whole_mask, centre).clamp_min(1e-3);
   const Tensor residual =
       ((completed - truth) / radius.unsqueeze(-1)).masked_fill(scene.object_mask.logical_not().unsqueeze(-1), 0.0);
@@ -82,7 +83,7 @@ Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowB
   const EngineStep engine = num_steps > 0 ? make_engine_step(model->options, scene, centre) : EngineStep();
   Tensor loss = torch::zeros({}, scene.points_reference.options());
   for (size_t step = 0; step < num_steps; ++step) {
-    // The centre of mass learns from its own loss alone: it must not serve as a free parameter of the motion.
+    // The centre of mass learns from its own loss alone: it must not be a free parameter of the motion.
     const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search, engine);
     const Pose& truth = windows.poses[step + 2];
     loss = loss + step_loss(options, scene, prediction, truth);

@@ -19,15 +19,15 @@ double learning_rate_at(const OptimizerOptions& options, double progress) {
 FlatAdamW::FlatAdamW(torch::nn::Module& module, const OptimizerOptions& options) : options_(options) {
   torch::NoGradGuard no_grad;
   const std::vector<Tensor> parameters = module.parameters();
-  int64_t total = 0;
+  std::int64_t total = 0;
   for (const Tensor& parameter : parameters) total += parameter.numel();
   const auto like = parameters.front().options().requires_grad(false);
   weights_ = torch::empty({total}, like);
   gradient_ = torch::zeros({total}, like);
   decay_mask_ = torch::zeros({total}, like);
-  int64_t begin = 0;
+  std::int64_t begin = 0;
   for (Tensor parameter : parameters) {
-    const int64_t end = begin + parameter.numel();
+    const std::int64_t end = begin + parameter.numel();
     const Tensor home = weights_.slice(0, begin, end).view(parameter.sizes());
     home.copy_(parameter);
     parameter.set_data(home);
@@ -48,7 +48,7 @@ Tensor FlatAdamW::step(double learning_rate) {
   const Tensor norm = gradient_.norm();
   const Tensor finite = torch::isfinite(norm);
   const Tensor scale = (options_.clip_norm / (norm + 1e-6)).clamp_max(1.0);
-  // A non-finite gradient becomes zero: the step then only follows momentum, and nothing is poisoned.
+  // A non-finite gradient becomes zero: the step then only follows momentum, and the weights stay finite.
   gradient_.mul_(torch::where(finite, scale, torch::zeros_like(scale))).nan_to_num_(0.0, 0.0, 0.0);
 
   first_moment_.lerp_(gradient_, 1.0 - options_.beta1);

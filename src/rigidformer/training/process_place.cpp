@@ -25,7 +25,7 @@ int read_number(const Environment& environment, const std::string& name, int low
 }  // namespace
 
 ProcessPlace read_process_place(const Environment& environment) {
-  constexpr int kMaxProcesses = 1 << 20;
+  constexpr int kMaxProcesses = 1 << 20;  // a larger number is surely a mistake; chosen by eye
   const bool is_mpi = environment("RANK") == nullptr && environment("OMPI_COMM_WORLD_RANK") != nullptr;
   const std::string prefix = is_mpi ? "OMPI_COMM_WORLD_" : "";
   ProcessPlace place;

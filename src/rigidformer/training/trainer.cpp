@@ -31,9 +31,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kBackwardCost = 2.0;  // in forward passes
+constexpr double kBackwardCost = 2.0;  // forward passes; gradients of inputs and of weights cost one each
 
-/// With several processes per machine, each takes the GPU of its number.
+/// The device of a process: with several processes per machine, each takes the GPU of its number.
 torch::Device device_of(const std::string& name, const ProcessPlace& place) {
   const torch::Device device = select_device(name);
   if (!device.is_cuda() || device.index() >= 0 || place.size == 1) return device;
@@ -42,7 +42,7 @@ torch::Device device_of(const std::string& name, const ProcessPlace& place) {
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The state of a run: everything one needs to go on, and the loop over iterations.
+/// The state of a run, with everything that it needs to go on, and the loop over iterations.
 class Trainer {
  public:
   Trainer(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine);
@@ -78,7 +78,7 @@ class Trainer {
   std::int64_t iteration_ = 0, windows_ = 0, windows_logged_ = 0;
   Clock::time_point last_log_;
   Tensor loss_sum_, norm_sum_;
-  double matrix_peak_ = 0.0, multiply_adds_ = 0.0;  ///< Per second; of this process since the last log line
+  double matrix_peak_ = 0.0, multiply_adds_ = 0.0;  ///< Per second; the latter by this process since the last log line
 };
 
 Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, const TrainingMachine& machine)
@@ -92,6 +92,7 @@ Trainer::Trainer(const TrainingOptions& options, const TrainingPaths& paths, con
     throw std::invalid_argument("micro_batches is " + std::to_string(options.micro_batches) +
                                 ", must be a multiple of the " + std::to_string(group_.size()) + " processes");
   }
+  use_vector_units();
   set_num_threads(machine.num_threads);
   keep_freed_memory();
   std::filesystem::create_directories(paths.output);
@@ -123,8 +124,9 @@ void Trainer::load_weights() {
   if (options_.precision == "bfloat16") model_->set_compute_type(torch::kBFloat16);
   model_->to(device_);
   model_->train();
-  if (group_.is_first())
+  if (group_.is_first()) {
     std::cerr << "model " << options_.model.preset << ": " << count_parameters(*model_) << " parameters\n";
+  }
 }
 
 int Trainer::unroll_steps(std::int64_t iteration) const {
@@ -135,7 +137,7 @@ int Trainer::unroll_steps(std::int64_t iteration) const {
   return steps;
 }
 
-/// The micro-batch that this process computes after this one.
+/// Names the micro-batch that this process computes after this one.
 BatchRequest Trainer::request_after(std::int64_t micro_batch) const {
   std::int64_t next = micro_batch + group_.size();
   if (next / options_.micro_batches > iteration_) next = (iteration_ + 1) * options_.micro_batches + group_.rank();
@@ -251,7 +253,7 @@ void Trainer::restore() {
   optimizer_->num_steps = std::stoll(state.metadata.at("optimizer_steps"));
 }
 
-/// Every process starts from the state of the first one.
+/// Gives every process the state of the first one.
 void Trainer::synchronise() {
   for (auto& [name, tensor] : optimizer_->state()) group_.copy_from_first(tensor);
   Tensor counters = torch::tensor({iteration_, windows_, optimizer_->num_steps}, torch::kInt64);

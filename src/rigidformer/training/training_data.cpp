@@ -11,7 +11,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kWindowsPerKind = 256;
+constexpr int kWindowsPerKind = 256;  // validation windows of each kind; chosen by eye
 
 std::vector<SceneArchive> load_all(const std::vector<std::filesystem::path>& folders,
                                    const std::filesystem::path& shapes) {
@@ -20,7 +20,7 @@ std::vector<SceneArchive> load_all(const std::vector<std::filesystem::path>& fol
   return archives;
 }
 
-/// Object diameters and centre-of-mass speeds in the data: where the model can be trusted.
+/// Measures object diameters and speeds of centres of mass in the data: where the model can be trusted.
 void measure_ranges(const SceneTensors& tensors, TrainingFacts& facts) {
   const Tensor shape_radius = tensors.shape_points.select(1, 0).norm(2, -1).amax(-1);  // [Q]
   const Tensor diameter = (2.0 * shape_radius.index({tensors.shape}) * tensors.size).masked_select(tensors.object_mask);
@@ -41,7 +41,7 @@ std::vector<Window> draw_windows(WindowOptions options, const ContactEvents& eve
   return windows;
 }
 
-/// One-step validation windows by kind, the metric that shows where learning stands.
+/// Draws one-step validation windows by kind: their errors show where learning stands.
 void add_validation_windows(const SceneTensors& tensors, TrainingData& data) {
   const ContactEvents events = find_contact_events(tensors);
   const auto add = [&](const char* kind, const std::vector<ContactEvent>& list, double WindowOptions::*probability) {
@@ -83,7 +83,7 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
   data.training = tensors.to(device);
 
   PointSetOptions validation_points = options.point_sets;
-  validation_points.seed += 1000003;  // other surface samples than in training
+  validation_points.seed += 1000003;  // other surface samples than those of training
   for (const auto& folder : paths.validation) {
     const SceneTensors scenes = make_scene_tensors({load_scenes(folder, paths.shapes)}, validation_points);
     if (data.validation_windows.empty()) add_validation_windows(scenes, data);

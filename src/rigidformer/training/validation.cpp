@@ -12,17 +12,17 @@
 namespace rigidformer {
 namespace {
 
-/// Per-scene RMSE over valid objects of `squared` [B, K] -> [B].
+/// RMSE of every scene over its valid objects, from `squared` [B, K] -> [B].
 Tensor scene_rmse(const Tensor& squared, const Tensor& object_mask) {
   const Tensor weight = object_mask.to(squared.scalar_type());
   return ((squared * weight).sum(-1) / weight.sum(-1).clamp_min(1.0)).sqrt();
 }
 
 struct Errors {
-  Tensor position, orientation;  ///< [B] m, degrees
+  Tensor position, orientation;  ///< [B] m and degrees
 };
 
-/// Scores of predicted against true poses of body frames whose origin is the centre of mass.
+/// Errors of predicted against true poses of body frames whose origin is the centre of mass.
 Errors pose_errors(const Pose& predicted, const Pose& truth, const Tensor& object_mask) {
   const Tensor shift = (predicted.translation - truth.translation).square().sum(-1);
   const Tensor relative = torch::matmul(predicted.rotation.transpose(-1, -2), truth.rotation);
@@ -31,7 +31,7 @@ Errors pose_errors(const Pose& predicted, const Pose& truth, const Tensor& objec
   return {scene_rmse(shift, object_mask), scene_rmse(angle.square(), object_mask)};
 }
 
-/// Free flight of the body frames: constant velocity, gravity (Verlet form), constant spin.
+/// Poses of the body frames in free flight: constant velocity with gravity (Verlet form) and constant spin.
 Pose ballistic(const WindowBatch& windows, int num_steps) {
   const Pose &first = windows.poses[0], &second = windows.poses[1];
   const Tensor fall = (windows.scene.gravity * windows.scene.time_step().square()).reshape({-1, 1, 1});
@@ -63,7 +63,7 @@ std::vector<RolloutScore> validate_rollouts(RigidFormer& model, const SceneTenso
                                             const ValidationOptions& options) {
   torch::NoGradGuard no_grad;
   model->eval();
-  const int num_scenes = static_cast<int>(std::min<int64_t>(max_scenes, tensors.num_scenes()));
+  const int num_scenes = static_cast<int>(std::min<std::int64_t>(max_scenes, tensors.num_scenes()));
   std::vector<RolloutScore> scores;
   for (const int start : options.start_frames) {
     Tensor sums = torch::zeros({4}, torch::kFloat64);

@@ -11,41 +11,42 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kMinVelocityJump = 0.5;  // [m/s]
-constexpr double kFloorDistance = 0.08;   // [m] higher than this is not the floor
-constexpr double kRestingSpeed = 0.03;    // [m/s]
-constexpr double kRestingSpin = 0.1;      // [rad/s]
-constexpr double kRollingSpeed = 0.15;    // [m/s]
-constexpr int64_t kLastingStride = 8;     // frames between two entries of a lasting contact
-constexpr int64_t kHeightPoints = 64;     // vertices looked at for the lowest point
+constexpr double kMinVelocityJump = 0.5;    // [m/s]
+constexpr double kFloorDistance = 0.08;     // [m] higher than this is not the floor
+constexpr double kRestingSpeed_mps = 0.03;  // recordings have no noise: what is slower does not even rock
+constexpr double kRestingSpin_radps = 0.1;  // likewise
+constexpr double kRollingSpeed = 0.15;      // [m/s]
+constexpr std::int64_t kLastingStride = 8;  // frames between two entries of a lasting contact
+constexpr std::int64_t kHeightPoints = 64;  // vertices looked at for the lowest point
 
 using PoseRows = at::TensorAccessor<float, 3>;  // [F, K, 7]
 
-Eigen::Vector3f position(const PoseRows& poses, int64_t frame, int64_t k) {
+Eigen::Vector3f position(const PoseRows& poses, std::int64_t frame, std::int64_t k) {
   return {poses[frame][k][0], poses[frame][k][1], poses[frame][k][2]};
 }
 
-Eigen::Quaternionf rotation(const PoseRows& poses, int64_t frame, int64_t k) {
+Eigen::Quaternionf rotation(const PoseRows& poses, std::int64_t frame, std::int64_t k) {
   return {poses[frame][k][6], poses[frame][k][3], poses[frame][k][4], poses[frame][k][5]};
 }
 
 /// Height of the lowest of an object's vertices.
-double lowest_point(const SceneTensors& tensors, const PoseRows& poses, int64_t scene, int64_t frame, int64_t k) {
-  const int64_t shape = tensors.shape[scene][k].item<int64_t>();
+double lowest_point(const SceneTensors& tensors, const PoseRows& poses, std::int64_t scene, std::int64_t frame,
+                    std::int64_t k) {
+  const std::int64_t shape = tensors.shape[scene][k].item<std::int64_t>();
   const float size = tensors.size[scene][k].item<float>();
   const Tensor vertices = tensors.shape_points[shape][0];
   const auto points = vertices.accessor<float, 2>();
-  const int64_t count = std::min(kHeightPoints, tensors.shape_point_count[shape][0].item<int64_t>());
+  const std::int64_t count = std::min(kHeightPoints, tensors.shape_point_count[shape][0].item<std::int64_t>());
   const Eigen::Matrix3f R = rotation(poses, frame, k).toRotationMatrix();
   float lowest = 1e9f;
-  for (int64_t i = 0; i < count; ++i) {
+  for (std::int64_t i = 0; i < count; ++i) {
     lowest = std::min(lowest, R.row(2).dot(Eigen::Vector3f(points[i][0], points[i][1], points[i][2])));
   }
   return poses[frame][k][2] + size * lowest;
 }
 
 /// Change of velocity at a frame that gravity does not explain [m/s].
-double velocity_jump(const PoseRows& poses, int64_t frame, int64_t k, float gravity) {
+double velocity_jump(const PoseRows& poses, std::int64_t frame, std::int64_t k, float gravity) {
   Eigen::Vector3f jump =
       position(poses, frame + 1, k) - 2.0f * position(poses, frame, k) + position(poses, frame - 1, k);
   jump *= static_cast<float>(kFrameRateHz);
@@ -53,9 +54,9 @@ double velocity_jump(const PoseRows& poses, int64_t frame, int64_t k, float grav
   return jump.norm();
 }
 
-/// The list that the moment belongs to, or none. `on_floor` is asked only where it matters: it is costly.
+/// The list that the moment belongs to, or none. `on_floor` is asked only where it matters, because it is costly.
 template <typename OnFloor>
-std::vector<ContactEvent>* list_for(const PoseRows& poses, int64_t frame, int64_t k, float gravity,
+std::vector<ContactEvent>* list_for(const PoseRows& poses, std::int64_t frame, std::int64_t k, float gravity,
                                     const OnFloor& on_floor, ContactEvents& events) {
   if (velocity_jump(poses, frame, k, gravity) >= kMinVelocityJump) {
     return on_floor() ? &events.floor : &events.mid_air;
@@ -63,18 +64,18 @@ std::vector<ContactEvent>* list_for(const PoseRows& poses, int64_t frame, int64_
   if (frame % kLastingStride != 0) return nullptr;
   const double speed = kFrameRateHz * (position(poses, frame + 1, k) - position(poses, frame, k)).norm();
   const double spin = kFrameRateHz * rotation(poses, frame + 1, k).angularDistance(rotation(poses, frame, k));
-  if (speed < kRestingSpeed && spin < kRestingSpin) return &events.resting;
+  if (speed < kRestingSpeed_mps && spin < kRestingSpin_radps) return &events.resting;
   return speed > kRollingSpeed && on_floor() ? &events.rolling : nullptr;
 }
 
-void find_in_scene(const SceneTensors& tensors, int64_t scene, ContactEvents& events) {
+void find_in_scene(const SceneTensors& tensors, std::int64_t scene, ContactEvents& events) {
   const Tensor scene_poses = tensors.poses[scene], scene_objects = tensors.object_mask[scene];
   const PoseRows poses = scene_poses.accessor<float, 3>();
   const auto present = scene_objects.accessor<bool, 1>();
   const float gravity = tensors.gravity[scene].item<float>();
-  for (int64_t k = 0; k < present.size(0); ++k) {
+  for (std::int64_t k = 0; k < present.size(0); ++k) {
     if (!present[k]) continue;
-    for (int64_t frame = 1; frame + 1 < poses.size(0); ++frame) {
+    for (std::int64_t frame = 1; frame + 1 < poses.size(0); ++frame) {
       const auto on_floor = [&] { return lowest_point(tensors, poses, scene, frame, k) < kFloorDistance; };
       std::vector<ContactEvent>* list = list_for(poses, frame, k, gravity, on_floor, events);
       if (list) list->push_back({static_cast<std::int32_t>(scene), static_cast<std::int32_t>(frame)});
@@ -89,15 +90,16 @@ void append(std::vector<ContactEvent>& all, const std::vector<ContactEvent>& par
 }  // namespace
 
 ContactEvents find_contact_events(const SceneTensors& tensors) {
-  const int64_t S = tensors.num_scenes();
-  const int64_t num_workers = std::min<int64_t>(S, std::max(1u, std::thread::hardware_concurrency()));
+  const std::int64_t S = tensors.num_scenes();
+  const std::int64_t num_workers = std::min<std::int64_t>(S, std::max(1u, std::thread::hardware_concurrency()));
   std::vector<ContactEvents> found(static_cast<size_t>(num_workers));
   std::vector<std::thread> workers;
-  for (int64_t worker = 0; worker < num_workers; ++worker) {
+  for (std::int64_t worker = 0; worker < num_workers; ++worker) {
     workers.emplace_back([&, worker] {
-      const int64_t begin = S * worker / num_workers, end = S * (worker + 1) / num_workers;
-      for (int64_t scene = begin; scene < end; ++scene)
+      const std::int64_t begin = S * worker / num_workers, end = S * (worker + 1) / num_workers;
+      for (std::int64_t scene = begin; scene < end; ++scene) {
         find_in_scene(tensors, scene, found[static_cast<size_t>(worker)]);
+      }
     });
   }
   for (std::thread& worker : workers) worker.join();

@@ -5,7 +5,7 @@
 namespace rigidformer {
 namespace {
 
-/// Rotation vectors [..., 3] of small rotations [..., 3, 3] (below a quarter turn).
+/// Rotation vectors [..., 3] of rotations [..., 3, 3] by less than a quarter turn.
 Tensor rotation_vector(const Tensor& R) {
   const Tensor twice = R - R.transpose(-1, -2);
   const Tensor sine_axis = 0.5 * torch::stack({twice.select(-2, 2).select(-1, 1), twice.select(-2, 0).select(-1, 2),
@@ -29,7 +29,8 @@ Pose free_motion_departure(const Pose& two_frames_before, const Pose& frame_befo
   const Tensor s = scene.step_size.reshape({-1, 1, 1});
   const Tensor step = now.translation - frame_before.translation;
   const Tensor bend = step - (frame_before.translation - two_frames_before.translation);
-  const Tensor fall = scene.gravity.reshape({-1, 1, 1}) / (kFrameRateHz * kFrameRateHz);  // bend of free flight
+  // Change of the step per frame in free flight.
+  const Tensor fall = scene.gravity.reshape({-1, 1, 1}) / (kFrameRateHz * kFrameRateHz);
   const Tensor falls = (bend.slice(-1, 2) - fall).abs() < (bend.slice(-1, 2)).abs();
   const Tensor back = torch::cat({torch::zeros_like(step.slice(-1, 0, 2)), fall * falls}, -1) * (s * (s - 1.0) / 2.0);
   const Tensor turn = rotation_vector(torch::matmul(now.rotation, frame_before.rotation.transpose(-1, -2)));

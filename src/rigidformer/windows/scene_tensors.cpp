@@ -9,28 +9,28 @@
 #include <thread>
 
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
+#include "rigidformer/geometry/surface_normals.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 #include "rigidformer/scene/surface_sampling.hpp"
 
 namespace rigidformer {
 namespace {
 
-/// Writes one point set in farthest-point order into row (shape, set).
-void store_point_set(SceneTensors& tensors, int64_t shape, int64_t set, const SurfaceSamples& samples) {
+/// Writes one point set in farthest-point order into the row (shape, set).
+void store_point_set(SceneTensors& tensors, std::int64_t shape, std::int64_t set, const SurfaceSamples& samples) {
   const auto capacity = static_cast<int>(tensors.shape_points.size(2));
   const std::vector<int> order = farthest_point_order(samples.points, capacity);
-  const Tensor set_points = tensors.shape_points[shape][set], set_normals = tensors.shape_normals[shape][set];
-  auto rows = set_points.accessor<float, 2>();
-  auto normal_rows = set_normals.accessor<float, 2>();
-  for (size_t i = 0; i < order.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      rows[static_cast<int64_t>(i)][axis] = samples.points(order[i], axis);
-      normal_rows[static_cast<int64_t>(i)][axis] = samples.normals(order[i], axis);
-    }
-  }
-  tensors.shape_point_count[shape][set] = static_cast<int64_t>(order.size());
+  const auto store = [&](Points rows, const Tensor& place) {
+    place[shape][set].slice(0, 0, rows.rows()).copy_(torch::from_blob(rows.data(), {rows.rows(), 3}));
+  };
+  const Points points = samples.points(order, Eigen::all);
+  store(points, tensors.shape_points);
+  store(samples.normals(order, Eigen::all), tensors.shape_normals);
+  store(estimate_normals(points), tensors.estimated_normals);
+  tensors.shape_point_count[shape][set] = static_cast<std::int64_t>(order.size());
 }
 
-void store_shape(SceneTensors& tensors, int64_t index, const Shape& shape, const PointSetOptions& options) {
+void store_shape(SceneTensors& tensors, std::int64_t index, const Shape& shape, const PointSetOptions& options) {
   store_point_set(tensors, index, 0, vertices_with_normals(shape));
   for (int set = 1; set < options.sets_per_shape; ++set) {
     const auto seed = options.seed * 1000 + static_cast<std::uint64_t>(set);
@@ -39,16 +39,18 @@ void store_shape(SceneTensors& tensors, int64_t index, const Shape& shape, const
 }
 
 void store_shapes(SceneTensors& tensors, const std::vector<const Shape*>& shapes, const PointSetOptions& options) {
-  const auto Q = static_cast<int64_t>(shapes.size());
+  const auto Q = static_cast<std::int64_t>(shapes.size());
   tensors.shape_points = torch::zeros({Q, options.sets_per_shape, options.points_per_set, 3});
   tensors.shape_normals = torch::zeros_like(tensors.shape_points);
+  tensors.estimated_normals = torch::zeros_like(tensors.shape_points);
   tensors.shape_point_count = torch::zeros({Q, options.sets_per_shape}, torch::kInt64);
   std::vector<std::thread> workers;
-  const int64_t num_workers = std::min<int64_t>(Q, std::max(1u, std::thread::hardware_concurrency()));
-  for (int64_t worker = 0; worker < num_workers; ++worker) {
+  const std::int64_t num_workers = std::min<std::int64_t>(Q, std::max(1u, std::thread::hardware_concurrency()));
+  for (std::int64_t worker = 0; worker < num_workers; ++worker) {
     workers.emplace_back([&, worker] {
-      for (int64_t q = worker; q < Q; q += num_workers)
+      for (std::int64_t q = worker; q < Q; q += num_workers) {
         store_shape(tensors, q, *shapes[static_cast<size_t>(q)], options);
+      }
     });
   }
   for (std::thread& worker : workers) worker.join();
@@ -56,26 +58,28 @@ void store_shapes(SceneTensors& tensors, const std::vector<const Shape*>& shapes
 
 double known_or(const std::optional<double>& value, double fallback) { return value.value_or(fallback); }
 
-void store_object(SceneTensors& tensors, int64_t s, int64_t k, const RecordedObject& object, int64_t shape) {
+void store_object(SceneTensors& tensors, std::int64_t s, std::int64_t k, const RecordedObject& object,
+                  std::int64_t shape) {
   tensors.object_mask[s][k] = true;
   tensors.shape[s][k] = shape;
   tensors.size[s][k] = object.size;
-  const PhysicalProperties& p = object.properties;
+  const BodyProperties& p = object.properties;
   tensors.properties[s][k] = torch::tensor(
-      {known_or(p.mass_kg, 1.0), known_or(p.friction, 0.5), known_or(p.restitution, 0.5)}, torch::kFloat32);
+      {known_or(p.mass_kg, kMeanMass), known_or(p.friction, kMeanFriction), known_or(p.restitution, kMeanRestitution)},
+      torch::kFloat32);
   const Tensor scene_poses = tensors.poses[s];
   auto poses = scene_poses.accessor<float, 3>();
   for (size_t frame = 0; frame < object.T_world_object.size(); ++frame) {
     const RigidTransform& T = object.T_world_object[frame];
-    auto row = poses[static_cast<int64_t>(frame)][k];
+    auto row = poses[static_cast<std::int64_t>(frame)][k];
     for (int axis = 0; axis < 3; ++axis) row[axis] = static_cast<float>(T.translation[axis]);
     for (int part = 0; part < 4; ++part) row[3 + part] = static_cast<float>(T.rotation.coeffs()[part]);
   }
 }
 
-/// Tensors for all scenes, without objects yet.
+/// Makes the tensors of all scenes, without objects yet.
 SceneTensors allocate(const std::vector<SceneArchive>& archives) {
-  int64_t S = 0, F = -1, K = 0;
+  std::int64_t S = 0, F = -1, K = 0;
   for (const SceneArchive& archive : archives) {
     for (const SceneRecording& scene : archive.scenes) {
       if (F >= 0 && scene.num_frames != F) {
@@ -83,7 +87,7 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives) {
                                     " frames, others have " + std::to_string(F));
       }
       F = scene.num_frames;
-      K = std::max<int64_t>(K, static_cast<int64_t>(scene.objects.size()));
+      K = std::max<std::int64_t>(K, static_cast<std::int64_t>(scene.objects.size()));
       ++S;
     }
   }
@@ -102,31 +106,38 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives) {
 
 }  // namespace
 
-std::vector<int64_t> SceneTensors::object_counts() const {
+std::vector<std::int64_t> SceneTensors::object_counts() const {
   const Tensor counts = object_mask.sum(-1).to(torch::kCPU);
-  return {counts.data_ptr<int64_t>(), counts.data_ptr<int64_t>() + counts.numel()};
+  return {counts.data_ptr<std::int64_t>(), counts.data_ptr<std::int64_t>() + counts.numel()};
 }
 
 SceneTensors SceneTensors::to(const torch::Device& device) const {
-  return {poses.to(device),        object_mask.to(device),   shape.to(device),
-          size.to(device),         properties.to(device),    gravity.to(device),
-          shape_points.to(device), shape_normals.to(device), shape_point_count.to(device)};
+  return {poses.to(device),
+          object_mask.to(device),
+          shape.to(device),
+          size.to(device),
+          properties.to(device),
+          gravity.to(device),
+          shape_points.to(device),
+          shape_normals.to(device),
+          estimated_normals.to(device),
+          shape_point_count.to(device)};
 }
 
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
   SceneTensors tensors = allocate(archives);
   std::vector<const Shape*> shapes;
-  int64_t s = 0;
+  std::int64_t s = 0;
   for (const SceneArchive& archive : archives) {
-    std::map<std::string, int64_t> index_of;
+    std::map<std::string, std::int64_t> index_of;
     for (const Shape& shape : archive.shapes) {
-      index_of[shape.name] = static_cast<int64_t>(shapes.size());
+      index_of[shape.name] = static_cast<std::int64_t>(shapes.size());
       shapes.push_back(&shape);
     }
     for (const SceneRecording& scene : archive.scenes) {
       tensors.gravity[s] = scene.gravity.z();
       for (size_t k = 0; k < scene.objects.size(); ++k) {
-        store_object(tensors, s, static_cast<int64_t>(k), scene.objects[k], index_of.at(scene.objects[k].shape));
+        store_object(tensors, s, static_cast<std::int64_t>(k), scene.objects[k], index_of.at(scene.objects[k].shape));
       }
       ++s;
     }

@@ -10,9 +10,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kCameraDistance = 10.0;                     // [m] from the middle of the arena
+// The random camera of one-sided clouds: its distance from the middle of the arena and its elevation. Chosen by eye.
+constexpr double kCameraDistance = 10.0;                     // [m]
 constexpr double kMinElevation = 0.15, kMaxElevation = 1.2;  // [rad]
-constexpr int64_t kMinVisiblePoints = 8;
+constexpr std::int64_t kMinVisiblePoints = 8;  // fewer points tell too little: then all stay; chosen by eye
 
 /// Rotation matrices [..., 3, 3] from unit quaternions x y z w [..., 4].
 Tensor rotation_matrix(const Tensor& quaternion) {
@@ -26,14 +27,14 @@ Tensor rotation_matrix(const Tensor& quaternion) {
       .unflatten(-1, {3, 3});
 }
 
-Tensor to_index(const std::vector<int64_t>& values, const torch::Device& device) {
+Tensor to_index(const std::vector<std::int64_t>& values, const torch::Device& device) {
   return torch::tensor(values, torch::kInt64).to(device, /*non_blocking=*/true);
 }
 
 /// Yaw per window [B, 3, 3] (identity with the complementary probability).
-Tensor draw_yaw(int64_t B, const AugmentationOptions& options, const torch::TensorOptions& like,
+Tensor draw_yaw(std::int64_t B, const AugmentationOptions& options, const torch::TensorOptions& like,
                 const TensorRandom& random) {
-  const int64_t count = options.yaw_per_batch ? 1 : B;
+  const std::int64_t count = options.yaw_per_batch ? 1 : B;
   Tensor angle = random.uniform({count}, like) * 2.0 * M_PI;
   if (options.yaw_step_deg > 0.0) {
     const double step = options.yaw_step_deg * M_PI / 180.0;
@@ -45,7 +46,7 @@ Tensor draw_yaw(int64_t B, const AugmentationOptions& options, const torch::Tens
 }
 
 /// Horizontal shift per window [B, 1, 3].
-Tensor draw_shift(int64_t B, double reach, const torch::TensorOptions& like, const TensorRandom& random) {
+Tensor draw_shift(std::int64_t B, double reach, const torch::TensorOptions& like, const TensorRandom& random) {
   const Tensor horizontal = reach * (2.0 * random.uniform({B, 1, 2}, like) - 1.0);
   return torch::cat({horizontal, torch::zeros({B, 1, 1}, like)}, -1);
 }
@@ -54,39 +55,41 @@ Tensor draw_shift(int64_t B, double reach, const torch::TensorOptions& like, con
 /// K is the largest number of objects of any window, so that a batch of small scenes carries little padding.
 Tensor draw_object_order(const Tensor& object_mask, double probability, const torch::TensorOptions& like,
                          const TensorRandom& random) {
-  const int64_t B = object_mask.size(0), K_all = object_mask.size(1);
+  const std::int64_t B = object_mask.size(0), K_all = object_mask.size(1);
   const Tensor shuffled = random.uniform({B, K_all}, like);
   const Tensor straight = torch::arange(K_all, like).expand({B, K_all}) / static_cast<double>(K_all);
   const Tensor key = torch::where(random.uniform({B, 1}, like) < probability, shuffled, straight);
   const Tensor order = std::get<1>((key + object_mask.logical_not().to(key.scalar_type())).sort(-1));
-  return order.slice(1, 0, object_mask.sum(-1).max().item<int64_t>());
+  return order.slice(1, 0, object_mask.sum(-1).max().item<std::int64_t>());
 }
 
 struct PointCandidates {
-  Tensor points;   ///< [B, K, M, 3] body frame
-  Tensor normals;  ///< [B, K, M, 3]
-  Tensor usable;   ///< [B, K, M] bool
+  Tensor points;             ///< [B, K, M, 3] body frame
+  Tensor normals;            ///< [B, K, M, 3] of the mesh
+  Tensor estimated_normals;  ///< [B, K, M, 3]
+  Tensor usable;             ///< [B, K, M] bool
 };
 
 PointCandidates draw_point_sets(const SceneTensors& tensors, const Tensor& shape, const Tensor& size,
                                 double vertex_probability, const TensorRandom& random) {
-  const int64_t B = shape.size(0), K = shape.size(1);
-  const int64_t P = tensors.shape_points.size(1), M = tensors.shape_points.size(2);
+  const std::int64_t B = shape.size(0), K = shape.size(1);
+  const std::int64_t P = tensors.shape_points.size(1), M = tensors.shape_points.size(2);
   const auto like = size.options();
   const Tensor use_surface = random.uniform({B, 1}, like) >= vertex_probability;
-  const Tensor set = random.integer(std::min<int64_t>(1, P - 1), P, {B, K}, shape.options()) * use_surface;
+  const Tensor set = random.integer(std::min<std::int64_t>(1, P - 1), P, {B, K}, shape.options()) * use_surface;
   const Tensor row = shape * P + set;
   PointCandidates candidates;
   candidates.points = tensors.shape_points.flatten(0, 1).index({row}) * size.unsqueeze(-1).unsqueeze(-1);
   candidates.normals = tensors.shape_normals.flatten(0, 1).index({row});
+  candidates.estimated_normals = tensors.estimated_normals.flatten(0, 1).index({row});
   const Tensor count = tensors.shape_point_count.flatten(0, 1).index({row}).unsqueeze(-1);
   candidates.usable = torch::arange(M, shape.options()) < count;
   return candidates;
 }
 
-/// Points whose outward normal faces a camera drawn per window.
+/// Keeps the points whose outward normal faces a camera, which is drawn per window.
 Tensor facing_camera(const PointCandidates& candidates, const Pose& pose, const TensorRandom& random) {
-  const int64_t B = candidates.points.size(0);
+  const std::int64_t B = candidates.points.size(0);
   const auto like = candidates.points.options();
   const Tensor azimuth = random.uniform({B}, like) * 2.0 * M_PI;
   const Tensor elevation = kMinElevation + random.uniform({B}, like) * (kMaxElevation - kMinElevation);
@@ -103,18 +106,19 @@ Tensor facing_camera(const PointCandidates& candidates, const Pose& pose, const 
 /// Moves the first `count` usable points of every object to the front, keeping farthest-point order.
 void keep_points(const PointCandidates& candidates, const Tensor& usable, const AugmentationOptions& options,
                  const TensorRandom& random, SceneBatch& scene) {
-  const int64_t B = usable.size(0), K = usable.size(1), M = usable.size(2);
-  const int64_t N = std::min<int64_t>(options.max_points, M);
+  const std::int64_t B = usable.size(0), K = usable.size(1), M = usable.size(2);
+  const std::int64_t N = std::min<std::int64_t>(options.max_points, M);
   const Tensor rank = torch::arange(M, torch::TensorOptions(torch::kInt64).device(usable.device()));
   const Tensor order = std::get<1>((rank + M * usable.logical_not()).sort(-1)).slice(-1, 0, N);
   scene.points_reference = gather_points(candidates.points, order);
+  scene.normals_reference = gather_points(candidates.estimated_normals, order);
   const Tensor fraction = random.uniform({B, K}, candidates.points.options());
   const Tensor wanted = (options.min_points + fraction * (options.max_points - options.min_points)).round();
   const Tensor count = torch::minimum(wanted.to(torch::kInt64), usable.sum(-1)).unsqueeze(-1);
   scene.point_mask = (rank.slice(0, 0, N) < count).logical_and(scene.object_mask.unsqueeze(-1));
 }
 
-/// Which rows of the scene tensors a batch is made of.
+/// The rows of the scene tensors that a batch is made of.
 struct WindowRows {
   Tensor scene;      ///< [B] int64
   Tensor frame;      ///< [B * T] int64 into flattened (scene, frame)
@@ -122,13 +126,13 @@ struct WindowRows {
   Tensor order;      ///< [B, K] which object stands where
 };
 
-WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& windows, int64_t T, double permutation,
-                     const TensorRandom& random) {
-  std::vector<int64_t> scenes, frames, steps;
+WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& windows, std::int64_t T,
+                     double permutation, const TensorRandom& random) {
+  std::vector<std::int64_t> scenes, frames, steps;
   for (const Window& window : windows) {
     scenes.push_back(window.scene);
     steps.push_back(window.step_size);
-    for (int64_t t = 0; t < T; ++t) {
+    for (std::int64_t t = 0; t < T; ++t) {
       frames.push_back(window.scene * tensors.num_frames() + window.frame + t * window.step_size);
     }
   }
@@ -145,21 +149,21 @@ Tensor per_object(const Tensor& values, const WindowRows& rows) {
   return of_scene.gather(1, rows.order.unsqueeze(-1).expand({-1, -1, of_scene.size(2)}));
 }
 
-/// Where a window was moved to, as a whole.
+/// The motion by which a window as a whole is turned and shifted.
 struct Placement {
   Tensor yaw;    ///< [B, 1, 3, 3]
   Tensor shift;  ///< [B, 1, 3]
 };
 
-/// True poses `offset` frames beside the T frames of the windows.
+/// The true poses `offset` frames away from the T frames of the windows.
 std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& rows, const Placement& placement,
-                               int64_t offset) {
-  const int64_t B = rows.order.size(0), K = rows.order.size(1), T = rows.frame.size(0) / B;
+                               std::int64_t offset) {
+  const std::int64_t B = rows.order.size(0), K = rows.order.size(1), T = rows.frame.size(0) / B;
   const Tensor frame = (rows.frame + offset).clamp_min(0);
   Tensor frames = tensors.poses.flatten(0, 1).index({frame}).unflatten(0, {B, T});
   frames = frames.gather(2, rows.order.reshape({B, 1, K, 1}).expand({B, T, K, 7}));
   std::vector<Pose> poses;
-  for (int64_t t = 0; t < T; ++t) {
+  for (std::int64_t t = 0; t < T; ++t) {
     const Tensor row = frames.select(1, t);
     const Tensor& yaw = placement.yaw;
     const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1) + placement.shift;
@@ -172,7 +176,7 @@ std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& ro
 void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const AugmentationOptions& options,
                  const TensorRandom& random, WindowBatch& batch) {
   const auto like = tensors.poses.options();
-  const int64_t B = rows.order.size(0);
+  const std::int64_t B = rows.order.size(0);
   const Placement placement{draw_yaw(B, options, like, random).unsqueeze(1),
                             draw_shift(B, options.shift_m, like, random)};
   batch.poses = window_poses(tensors, rows, placement, 0);
@@ -186,7 +190,7 @@ void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const Augm
 /// The clouds as observed at `pose`: a surface sampling, perhaps from one side only, perhaps noisy.
 void observe_points(const SceneTensors& tensors, const WindowRows& rows, const Pose& pose,
                     const AugmentationOptions& options, const TensorRandom& random, WindowBatch& batch) {
-  const int64_t B = rows.order.size(0);
+  const std::int64_t B = rows.order.size(0);
   SceneBatch& scene = batch.scene;
   const auto like = tensors.poses.options();
   PointCandidates candidates = draw_point_sets(tensors, per_object(tensors.shape, rows), per_object(tensors.size, rows),
@@ -221,8 +225,8 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
                               const TensorRandom& random) {
   torch::NoGradGuard no_grad;
   const auto like = tensors.poses.options();
-  const auto B = static_cast<int64_t>(windows.size());
-  const int64_t T = num_steps + 2;
+  const auto B = static_cast<std::int64_t>(windows.size());
+  const std::int64_t T = num_steps + 2;
   const WindowRows rows = draw_rows(tensors, windows, T, options.permutation_probability, random);
 
   WindowBatch batch;

@@ -11,7 +11,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr std::int64_t kIterationsPerGroup = 8;
+constexpr std::int64_t kIterationsPerGroup = 8;  // iterations sorted together; chosen by eye
 
 int uniform_int(int low, int high, std::mt19937_64& random) {
   return std::uniform_int_distribution<int>(low, high)(random);
@@ -25,8 +25,8 @@ void check_probability(double value, const std::string& name) {
 
 }  // namespace
 
-WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<int64_t> object_counts,
-                             int64_t num_frames)
+WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
+                             std::vector<std::int64_t> object_counts, std::int64_t num_frames)
     : options_(options),
       events_(std::move(events)),
       object_counts_(std::move(object_counts)),
@@ -50,14 +50,14 @@ WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
 
 int WindowSampler::draw_step_size(int num_steps, std::mt19937_64& random) const {
   const auto& sizes = options_.step_sizes;
-  const int longest = (num_frames_ - 1) / (num_steps + 1);  // window must fit into the scene
+  const int longest = (num_frames_ - 1) / (num_steps + 1);  // the window must fit into the scene
   const bool any = std::uniform_real_distribution<>()(random) < options_.any_step_probability;
   const int s = any ? uniform_int(1, *std::max_element(sizes.begin(), sizes.end()), random)
                     : sizes[static_cast<size_t>(uniform_int(0, static_cast<int>(sizes.size()) - 1, random))];
   return std::min(s, longest);
 }
 
-/// The moments to choose from; null = any time. A kind that the scenes lack falls back to any time.
+/// Draws the kind of moment to choose from; null = any time. A kind that the scenes lack falls back to any time.
 const std::vector<ContactEvent>* WindowSampler::draw_kind(std::mt19937_64& random) const {
   const std::pair<double, const std::vector<ContactEvent>*> kinds[] = {
       {options_.mid_air_probability, &events_.mid_air},

@@ -23,7 +23,7 @@ inline Points cloud_of_shape(const std::string& name, int count) {
   return sample_surface(builtin_shape(name), count, 7).points;
 }
 
-/// Sum over its parts, which hardly overlap [m^3].
+/// Volume of a built-in shape [m^3], summed over its parts, which hardly overlap.
 inline double volume_of_shape(const std::string& name) { return measure_volume(builtin_shape(name).parts).volume_m3; }
 
 }  // namespace rigidformer

@@ -19,7 +19,7 @@ TEST(ContactSpring, ReboundsWithTheRestitutionAtEverySolverStep) {
 }
 
 TEST(ContactSpring, SmallStepsReachTheClosedForm) {
-  // A contact that pushes but never pulls: e = exp(-z / sqrt(1 - z^2) (pi - 2 asin z)) for the damping ratio z.
+  // A contact that pushes but never pulls has e = exp(-z / sqrt(1 - z^2) (pi - 2 asin z)) for the damping ratio z.
   const double z = 0.3;
   const double frequency = 300.0;
   const double expected = std::exp(-z / std::sqrt(1.0 - z * z) * (M_PI - 2.0 * std::asin(z)));

@@ -32,7 +32,7 @@ TEST(EnclosedSurface, ATorusKeepsItsHole) {
 TEST(EnclosedSurface, IsClosed) {
   const auto surface = enclosed_surface(cloud_of_shape("torus", 400));
   ASSERT_TRUE(surface);
-  std::map<std::pair<int, int>, int> crossings;  // every edge is walked as often one way as the other
+  std::map<std::pair<int, int>, int> crossings;  // each edge is walked as often one way as the other
   for (Eigen::Index f = 0; f < surface->triangles.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
       const int from = surface->triangles(f, k), to = surface->triangles(f, (k + 1) % 3);
@@ -44,7 +44,7 @@ TEST(EnclosedSurface, IsClosed) {
 
 TEST(EnclosedSurface, HalfASphereEnclosesNothing) {
   const Points sphere = sphere_cloud(0.5, 600);
-  EXPECT_FALSE(enclosed_surface(Points(sphere.topRows(300))));  // ordered from the top down
+  EXPECT_FALSE(enclosed_surface(Points(sphere.topRows(300))));  // points are ordered from the top down
 }
 
 TEST(EnclosedSurface, RefusesFlatClouds) {

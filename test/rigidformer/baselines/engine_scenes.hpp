@@ -20,7 +20,7 @@ inline Points box_cloud(const Eigen::Vector3d& size, const Eigen::Vector3d& cent
   return points;
 }
 
-/// Points spread evenly over a sphere, with both poles.
+/// Points spread evenly over a sphere, both poles included.
 inline Points sphere_cloud(double radius, int count = 400) {
   Points points(count, 3);
   for (int i = 0; i < count; ++i) {
@@ -39,9 +39,9 @@ inline RolloutOptions rollout_of(int frames_per_step, int num_steps) {
   return rollout;
 }
 
-/// Free flight of the reference frame's origin with constant spin in the world.
+/// Free flight of the reference frame's origin, with constant spin in world.
 struct Flight {
-  Eigen::Vector3d position, velocity;  ///< At t = 0
+  Eigen::Vector3d position, velocity;  ///< Position [m] and velocity [m/s] at t = 0
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   double gravity = -10.0;
 
@@ -53,7 +53,7 @@ struct Flight {
 };
 
 inline ObjectState flying_object(const Points& points, const Flight& flight, const RolloutOptions& rollout,
-                                 const PhysicalProperties& properties = {}) {
+                                 const BodyProperties& properties = {}) {
   ObjectState object;
   object.id = "flying";
   object.points_reference = points;
@@ -64,7 +64,7 @@ inline ObjectState flying_object(const Points& points, const Flight& flight, con
 }
 
 inline ObjectState resting_object(const Points& points, const Eigen::Vector3d& position,
-                                  const PhysicalProperties& properties = {}) {
+                                  const BodyProperties& properties = {}) {
   ObjectState object;
   object.id = "resting";
   object.points_reference = points;

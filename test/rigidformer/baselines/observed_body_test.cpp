@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "rigidformer/baselines/engine_scenes.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 
 namespace rigidformer {
 namespace {
@@ -32,14 +33,14 @@ TEST(ObservedBody, CentroidOfACone) {
   EXPECT_LT((body.T_reference_body.translation - Eigen::Vector3d(0.0, 0.0, 0.5)).norm(), 1e-6);  // a quarter up
 }
 
-TEST(ObservedBody, UnknownMaterialHasTheDensityOfTheScenes) {
+TEST(ObservedBody, UnknownMaterialIsTheMeanOfTheScenes) {
   ObjectState object = resting_object(box_cloud({0.5, 1.0, 0.2}), {0, 0, 3});
-  const PhysicalProperties assumed = observe_one(object, rollout_of(1, 1)).properties;
-  EXPECT_NEAR(*assumed.mass_kg, 0.1, 1e-6);
-  EXPECT_EQ(*assumed.friction, 0.5);
-  EXPECT_EQ(*assumed.restitution, 0.5);
+  const BodyProperties assumed = observe_one(object, rollout_of(1, 1)).properties;
+  EXPECT_NEAR(*assumed.mass_kg, 0.1 * kMeanDensity, 1e-6);
+  EXPECT_EQ(*assumed.friction, kMeanFriction);
+  EXPECT_EQ(*assumed.restitution, kMeanRestitution);
   object.properties = {{2.0}, {0.1}, {0.9}};
-  const PhysicalProperties known = observe_one(object, rollout_of(1, 1)).properties;
+  const BodyProperties known = observe_one(object, rollout_of(1, 1)).properties;
   EXPECT_EQ(*known.mass_kg, 2.0);
   EXPECT_EQ(*known.friction, 0.1);
   EXPECT_EQ(*known.restitution, 0.9);

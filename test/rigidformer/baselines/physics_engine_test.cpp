@@ -13,9 +13,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kDegrees = 180.0 / M_PI;  // degrees in a radian
 
-/// The same properties hold for every engine.
+/// Properties that hold for every engine.
 class PhysicsEngine : public testing::TestWithParam<std::string> {
  protected:
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
@@ -53,7 +53,7 @@ TEST_P(PhysicsEngine, FliesAParabolaWithConstantSpinAtEveryStepSize) {
 }
 
 TEST_P(PhysicsEngine, TurnsAboutTheCloudAndNotAboutTheReferenceOrigin) {
-  // The origin lies 1 m beside the cube, which flies without turning its centre from the parabola.
+  // The origin lies 1 m beside the cube, whose turning must not move its centre off the parabola.
   const Eigen::Vector3d beside(1.0, 0.0, 0.0);
   const Flight centre{{0.0, 0.0, 6.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 3.0}};
   const RolloutOptions rollout = rollout_of(10, 10);
@@ -68,7 +68,8 @@ TEST_P(PhysicsEngine, TurnsAboutTheCloudAndNotAboutTheReferenceOrigin) {
 }
 
 TEST_P(PhysicsEngine, ACubeAtRestStaysAtRestOnAnyGround) {
-  // Half a millimetre up: Bullet's bodies float by their margin of a millimetre, MuJoCo's sink in a little.
+  // The ball starts half a millimetre up: Bullet's bodies float by their margin of a
+  // millimetre, MuJoCo's sink in a little.
   for (const int frames : {1, 10}) {
     for (const double ground : {0.0, -0.7}) {
       RolloutOptions rollout = rollout_of(frames, 240 / frames);
@@ -88,7 +89,7 @@ double rebound_ratio(Forecaster& engine, double drop, double object_restitution)
   const double radius = 0.4;
   const RolloutOptions rollout = rollout_of(1, 270);
   const Flight fall{{0.0, 0.0, radius + drop}, Eigen::Vector3d::Zero()};
-  const PhysicalProperties properties{{1.0}, {0.5}, {object_restitution}};
+  const BodyProperties properties{{1.0}, {0.5}, {object_restitution}};
   const auto poses = engine.forecast({flying_object(sphere_cloud(radius), fall, rollout, properties)}, rollout);
   double highest = 0.0;
   for (std::size_t k = 130; k < poses[0].size(); ++k) {
@@ -99,10 +100,10 @@ double rebound_ratio(Forecaster& engine, double drop, double object_restitution)
 
 TEST_P(PhysicsEngine, ReboundsToTheSquareOfTheRestitution) {
   for (const double restitution : {0.25, 0.4, 0.5}) {
-    // The impact falls somewhere between two solver steps: drops that differ by fractions of such a step.
+    // The impact falls somewhere between two solver steps: drops are tried that differ by fractions of such a step.
     double mean = 0.0;
     for (const double drop : {1.25, 1.2555, 1.261, 1.2665}) {
-      const double ratio = rebound_ratio(*engine_, drop, restitution / 0.5);  // the floor has 0.5
+      const double ratio = rebound_ratio(*engine_, drop, restitution / 0.5);  // the floor's restitution is 0.5
       EXPECT_NEAR(std::sqrt(ratio), restitution, 0.06) << "drop " << drop;
       mean += ratio / 4.0;
     }
@@ -112,8 +113,8 @@ TEST_P(PhysicsEngine, ReboundsToTheSquareOfTheRestitution) {
 
 TEST_P(PhysicsEngine, AMidAirCollisionConservesMomentum) {
   const RolloutOptions rollout = rollout_of(1, 120);
-  const PhysicalProperties light{{1.0}, {0.4}, {0.6}};
-  const PhysicalProperties heavy{{3.0}, {0.4}, {0.6}};
+  const BodyProperties light{{1.0}, {0.4}, {0.6}};
+  const BodyProperties heavy{{3.0}, {0.4}, {0.6}};
   const Points cube = box_cloud({0.7, 0.7, 0.7});
   const Flight left{{-1.0, 0.1, 5.0}, {4.0, 0.0, 2.0}, {0.3, 1.0, 0.2}};
   const Flight right{{1.0, -0.1, 5.1}, {-2.0, 0.0, 2.0}, {0.0, -1.0, 0.5}};

@@ -38,7 +38,7 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
   std::ofstream(path) << text;
 }
 
-/// Message of the exception that `call` throws; empty when it throws none.
+/// Returns the message of the exception that `call` throws; empty when it throws none.
 template <typename Call>
 std::string error_of(const Call& call) {
   try {
@@ -49,7 +49,7 @@ std::string error_of(const Call& call) {
   return "";
 }
 
-/// Message of the std::runtime_error that `call` must throw about the file at `path`, which it names.
+/// Returns the message of the std::runtime_error that `call` must throw about the file at `path`, which it names.
 template <typename Call>
 std::string file_error_of(const std::filesystem::path& path, const Call& call) {
   try {
@@ -86,7 +86,7 @@ inline RecordedObject example_object(double offset, int num_frames) {
   return object;
 }
 
-/// Two scenes with one and two objects.
+/// Two scenes, with one and two objects.
 inline SceneArchive example_archive(int num_frames = 5) {
   SceneArchive archive;
   archive.set = "example";
@@ -104,7 +104,7 @@ inline SceneArchive example_archive(int num_frames = 5) {
   return archive;
 }
 
-/// Largest difference of position [m] or rotation [rad] over all frames.
+/// Largest difference of positions [m] or rotations [rad] over all frames.
 inline double pose_difference(const RecordedObject& a, const RecordedObject& b) {
   double largest = a.T_world_object.size() == b.T_world_object.size() ? 0.0 : 1e9;
   for (std::size_t f = 0; largest < 1e9 && f < a.T_world_object.size(); ++f) {

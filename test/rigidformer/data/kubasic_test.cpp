@@ -36,8 +36,8 @@ TEST(Kubasic, BrokenDataFileIsSurvivedWithAWarning) {
   std::vector<std::string> warnings;
   const std::vector<Shape> shapes = load_kubasic_shapes(folder.path(), &warnings);
   ASSERT_EQ(shapes.size(), 2u);
-  EXPECT_EQ(shapes[0].mass_kg, movi_shape_mass("cone"));  // known from MOVi
-  EXPECT_NEAR(shapes[1].mass_kg, 1.0 / 6.0, 1e-6);        // volume of the tetrahedron
+  EXPECT_EQ(shapes[0].mass_kg, movi_shape_mass("cone"));  // the mass known from MOVi
+  EXPECT_NEAR(shapes[1].mass_kg, 1.0 / 6.0, 1e-6);        // the volume of the tetrahedron
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_NE(warnings[1].find("data.json"), std::string::npos) << warnings[1];
 }

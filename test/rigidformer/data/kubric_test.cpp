@@ -55,9 +55,9 @@ TEST(Kubric, QuaternionsAreStoredWithTheScalarFirstAndOptionalKeysMayBeAbsent) {
 }
 
 struct Defect {
-  const char* pointer;      ///< JSON pointer of what is replaced
-  const char* replacement;  ///< JSON text; nothing = removed
-  const char* expected;     ///< Part of the error
+  const char* pointer;      ///< JSON pointer to what is replaced
+  const char* replacement;  ///< JSON text that replaces it; empty = it is removed
+  const char* expected;     ///< Part of the error that reading gives
 };
 
 class BrokenKubric : public ::testing::TestWithParam<Defect> {};

@@ -112,7 +112,7 @@ TEST(SceneArchive, A1200SceneSetStaysBelow150Megabytes) {
   archive.scenes.insert(archive.scenes.end(), archive.scenes.begin(), archive.scenes.end());
   write_scene_archive(path, archive);
   const double bytes_per_object = (static_cast<double>(std::filesystem::file_size(path)) - two_scenes) / 3.0;
-  EXPECT_LT(bytes_per_object * 1200 * 6.5 / 1e6, 150.0);  // 6.5 objects per scene on average
+  EXPECT_LT(bytes_per_object * 1200 * 6.5 / 1e6, 150.0);  // a scene has 6.5 objects on average
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<Shape> kNoShapes;
 
-/// Kubric folders 2 and 10 in `folder`; the second has two objects.
+/// Writes Kubric folders 2 and 10 into `folder`; the second one has two objects.
 void write_kubric_folders(const std::filesystem::path& folder) {
   const SceneArchive archive = example_archive();
   write_kubric_scene(folder / "2", archive.scenes[0]);

@@ -6,6 +6,7 @@
 
 #include "rigidformer/model/base_motion.hpp"
 #include "rigidformer/model/random_scene.hpp"
+#include "rigidformer/scene/mean_material.hpp"
 #include "rigidformer/simulation/bullet_world.hpp"
 #include "rigidformer/simulation/convex_hull.hpp"
 
@@ -27,7 +28,7 @@ struct Cubes {
   SceneState state;
   Tensor centre;
 
-  explicit Cubes(int64_t count) {
+  explicit Cubes(std::int64_t count) {
     const Tensor corners =
         ((torch::arange(8, torch::kInt64).unsqueeze(-1).bitwise_and(torch::tensor({1, 2, 4})) > 0).to(torch::kFloat64) -
          0.5);
@@ -46,8 +47,8 @@ struct Cubes {
     state.previous.translation = state.current.translation.clone();
   }
 
-  void place(int64_t k, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
-    for (int64_t axis = 0; axis < 3; ++axis) {
+  void place(std::int64_t k, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+    for (std::int64_t axis = 0; axis < 3; ++axis) {
       state.current.translation[0][k][axis] = position[axis];
       state.previous.translation[0][k][axis] = position[axis] - velocity[axis] * kTimeStep_s;
     }
@@ -67,7 +68,7 @@ struct Cubes {
     return now.current;
   }
 
-  double height(const Pose& pose, int64_t k) const { return pose.translation[0][k][2].item<double>(); }
+  double height(const Pose& pose, std::int64_t k) const { return pose.translation[0][k][2].item<double>(); }
 };
 
 TEST(EngineStep, ModelsWithoutEngineHaveNone) {
@@ -158,6 +159,22 @@ TEST(EngineStep, OnlyRatiosOfMassesMatter) {
   EXPECT_LT(largest_difference(grams.rotation, tons.rotation), 1e-4);
 }
 
+TEST(EngineStep, UnknownMaterialIsTheMeanOfTheScenes) {
+  const auto slides = [](const Tensor& properties, double known) {
+    Cubes cubes(1);
+    cubes.place(0, {0.0, 0.0, 0.5}, {2.0, 0.0, -1.0});
+    cubes.batch.properties.copy_(properties);
+    cubes.batch.properties_known.fill_(known);
+    return cubes.roll_out(4);
+  };
+  const Pose means = slides(torch::tensor({kMeanDensity, kMeanFriction, kMeanRestitution}, torch::kFloat64), 1.0);
+  const Pose unknown = slides(torch::zeros({3}, torch::kFloat64), 0.0);
+  const Pose smoother = slides(torch::tensor({kMeanDensity, 0.5, kMeanRestitution}, torch::kFloat64), 1.0);
+  EXPECT_EQ(largest_difference(unknown.translation, means.translation), 0.0);
+  EXPECT_EQ(largest_difference(unknown.rotation, means.rotation), 0.0);
+  EXPECT_GT(largest_difference(unknown.translation, smoother.translation), 1e-3);
+}
+
 TEST(EngineStep, ImpossibleSpeedsStayFinite) {
   Cubes cubes(2);
   cubes.place(0, {0.0, 0.0, 2.0}, {0.0, 0.0, -1e38});
@@ -228,7 +245,7 @@ TEST(EngineStep, TheNetworkCanLeaveAStepToItEntirely) {
 
 TEST(EngineStep, WhatMovesIsSeenFromAllSidesAndOfKnownMaterialIsCertain) {
   Cubes cubes(4);
-  for (int64_t k = 0; k < 3; ++k) cubes.place(k, {3.0 * static_cast<double>(k), 0.0, 0.4}, {0.0, 0.0, -2.0});
+  for (std::int64_t k = 0; k < 3; ++k) cubes.place(k, {3.0 * static_cast<double>(k), 0.0, 0.4}, {0.0, 0.0, -2.0});
   cubes.place(3, {9.0, 0.0, 0.5}, {0.1, 0.0, 0.0});
   cubes.batch.properties_known[0][1][2] = 0.0;
   cubes.batch.point_mask[0][2].slice(0, 4) = false;  // one face
@@ -269,6 +286,18 @@ TEST(EngineStep, TheNetworkReadsAndUsesIt) {
       model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix, EngineStep(moved));
   EXPECT_GT(largest_difference(other.pose.translation, prediction.pose.translation), 1e-3);
   EXPECT_GT(largest_difference(other.departure.translation, prediction.departure.translation), 1e-4);
+}
+
+TEST(EngineStep, P36_AnObjectWithoutABodyIsNamed) {
+  Cubes cubes(3);
+  cubes.batch.points_reference[0][1] += 1e12;  // single precision has no room for a cube there
+  try {
+    cubes.engine();
+    FAIL() << "there is no such body";
+  } catch (const BodyError& error) {
+    EXPECT_EQ(error.object(), 1);
+    EXPECT_NE(std::string(error.what()), "");
+  }
 }
 
 }  // namespace

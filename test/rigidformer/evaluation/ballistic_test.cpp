@@ -9,9 +9,9 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kGravity = -10.0;
+constexpr double kGravity = -10.0;  // [m/s^2] as in the MOVi scenes
 
-/// Free flight with constant spin, in closed form.
+/// Pose in free flight with constant spin, in closed form.
 RigidTransform flight(double t) {
   const Eigen::Vector3d start(1.0, -2.0, 3.0);
   const Eigen::Vector3d velocity(0.5, 2.0, 4.0);

@@ -46,7 +46,7 @@ TEST_F(BreakdownTest, NumbersOfObjectsAreMeansOverScenes) {
   EXPECT_DOUBLE_EQ(counts.at(2).error.orientation_rmse_deg, 15.0);
   EXPECT_EQ(counts.at(3).count, 1);
   EXPECT_DOUBLE_EQ(counts.at(3).error.position_rmse_m, 2.0);
-  EXPECT_EQ(breakdown_.by_num_objects().size(), 2U);  // one round per model
+  EXPECT_EQ(breakdown_.by_num_objects().size(), 2U);  // one round for each model
 }
 
 TEST_F(BreakdownTest, FramesCountFromTheStartAndMeanOverTheScenesThatReachThem) {

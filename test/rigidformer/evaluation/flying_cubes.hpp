@@ -8,7 +8,7 @@
 
 namespace rigidformer {
 
-/// A unit cube, one convex part, outward triangles.
+/// A unit cube as one convex part, with triangles that face outwards.
 inline Shape unit_cube() {
   ConvexPart part;
   part.vertices.resize(8, 3);
@@ -21,7 +21,7 @@ inline Shape unit_cube() {
   return {"cube", 1.0, {part}};
 }
 
-/// Cubes that fly freely: object i starts at x = 3 i with speed i m/s along x, up at 3 m/s, spinning about z.
+/// Cubes that fly freely: object i starts at x = 3 i with speed i m/s along x, goes up at 3 m/s and spins about z.
 inline SceneRecording flying_cubes(int num_objects, int num_frames) {
   SceneRecording scene;
   scene.name = "flying_cubes";

@@ -23,7 +23,8 @@ TEST(SceneError, IsZeroForTheTruth) {
 }
 
 TEST(SceneError, TakesTheRootOfTheMeanOverObjectsOfSquaredLengths) {
-  // Distances 5 (3-4-5 triangle) and 0: sqrt((25 + 0) / 2). Angles 30 and 90 degrees: sqrt((900 + 8100) / 2).
+  // The distances are 5 (3-4-5 triangle) and 0: sqrt((25 + 0) / 2). The angles are 30 and 90
+  // degrees: sqrt((900 + 8100) / 2).
   const PoseError error = scene_error({pose(3, 4, 0, 30), pose(0, 0, 1, 90)}, {pose(0, 0, 0), pose(0, 0, 1)});
   EXPECT_NEAR(error.position_rmse_m, std::sqrt(12.5), 1e-12);
   EXPECT_NEAR(error.orientation_rmse_deg, std::sqrt(4500.0), 1e-9);
@@ -42,7 +43,7 @@ TEST(SceneError, RefusesUnequalCounts) {
 }
 
 TEST(MeanError, AveragesScenesAndNotObjects) {
-  // One scene with one object 4 m off, one with two objects at the truth: per scene (4 + 0) / 2, not sqrt(16 / 3).
+  // One scene has one object 4 m off, the other two objects at the truth: the mean is (4 + 0) / 2, not sqrt(16 / 3).
   const PoseError far = scene_error({pose(4, 0, 0, 20)}, {pose(0, 0, 0)});
   const PoseError right = scene_error({pose(0, 0, 0), pose(1, 0, 0)}, {pose(0, 0, 0), pose(1, 0, 0)});
   const PoseError mean = mean_error({far, right});

@@ -47,12 +47,12 @@ TEST(Observer, CanGiveVerticesAndHideProperties) {
 TEST(Observer, OneViewKeepsOnlyPointsThatFaceTheCamera) {
   ObservationOptions options;
   options.one_view = true;
-  options.camera_world = {100.0, 0.0, 5.2};  // along the world's x axis, between the cube's bottom and top
+  options.camera_world = {100.0, 0.0, 5.2};  // on the world's x axis, between the heights of the cube's bottom and top
   const auto objects = observe(options);
   const Points world = objects[0].T_world_current.apply(objects[0].points_reference);
   EXPECT_GT(world.rows(), 40);
   EXPECT_LT(world.rows(), 200);
-  // At frame 20 the cube has turned 0.167 rad: its +x and -y sides face the camera, the others do not.
+  // At frame 20 the cube has turned by 0.167 rad: its +x and -y sides face the camera, the others do not.
   const Points& body = objects[0].points_reference;
   for (Eigen::Index row = 0; row < body.rows(); ++row) {
     EXPECT_TRUE(body(row, 0) > 0.499F || body(row, 1) < -0.499F) << body.row(row);

@@ -21,7 +21,7 @@ SceneArchive flying_set(int num_scenes, int num_frames) {
   return archive;
 }
 
-/// Is right at k = 0 and drifts along y by one metre per step.
+/// A forecaster that is right at k = 0 and drifts along y by one metre per step.
 class DriftingForecaster : public Forecaster {
  public:
   std::string name() const override { return "drifting"; }
@@ -46,7 +46,8 @@ TEST(Protocol, BallisticIsRightInFreeFlightFromEveryStart) {
   ASSERT_EQ(scores.size(), 2U * 3U * 3U);
   for (const Score& score : scores) {
     EXPECT_EQ(score.num_scenes, 2);
-    // Exact on steps; between two steps 10 / 240 s apart the chord of the parabola is off by g dt^2 / 8 = 2.2 mm.
+    // The guess is exact on steps. Between two steps, 10 / 240 s apart, the chord of the parabola
+    // is off by g dt^2 / 8 = 2.2 mm.
     const bool between_steps = score.horizon % score.step != 0;
     EXPECT_NEAR(score.error.position_rmse_m, between_steps ? 10.0 / 8.0 * std::pow(10.0 / 240.0, 2) : 0.0, 1e-6);
     EXPECT_LT(score.error.orientation_rmse_deg, 1e-4);
@@ -61,7 +62,7 @@ TEST(Protocol, CountsHorizonsFromTheFirstGivenFrame) {
   options.horizons = {50, 75};
   const auto scores = evaluate(flying_set(1, 100), {&drifting}, options);
   ASSERT_EQ(scores.size(), 4U);
-  // Frames S and S + s are given, so frame S + h lies (h - s) / s steps after the second.
+  // Frames S and S + s are given, so that frame S + h lies (h - s) / s steps after the second one.
   EXPECT_NEAR(scores[0].error.position_rmse_m, 9.0, 1e-9);
   EXPECT_NEAR(scores[1].error.position_rmse_m, 14.0, 1e-9);
   EXPECT_NEAR(scores[2].error.position_rmse_m, 4.0, 1e-9);
@@ -122,7 +123,7 @@ TEST(Protocol, HandsOutEveryRolloutWithItsErrors) {
   EXPECT_NEAR(result.after_step[0].position_rmse_m, 0.0, 1e-9);
   EXPECT_NEAR(result.after_step[9].position_rmse_m, 9.0, 1e-9);
   EXPECT_EQ(result.predicted.size(), 2U);
-  // The longer rollout does not change the scores.
+  // Rolling out farther for the curve does not change the scores.
   options.curve_frames = 0;
   const auto short_scores = evaluate(archive, {&ballistic, &drifting}, options);
   EXPECT_EQ(short_scores[2].error.position_rmse_m, scores[2].error.position_rmse_m);
@@ -134,8 +135,9 @@ TEST(Protocol, DriftCountsOnlyWhatLiesStill) {
   // Object 0 of the second scene lies still from frame 10 on; the first scene has nothing at rest.
   SceneArchive archive = flying_set(2, 130);
   auto& poses = archive.scenes[1].objects[0].T_world_object;
-  for (std::size_t frame = 10; frame < poses.size(); ++frame)
+  for (std::size_t frame = 10; frame < poses.size(); ++frame) {
     poses[frame] = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}};
+  }
   class StillDrifting : public Forecaster {
    public:
     std::string name() const override { return "still_drifting"; }
@@ -162,7 +164,7 @@ TEST(Protocol, DriftCountsOnlyWhatLiesStill) {
   EXPECT_NEAR(scores[0].error.position_rmse_m, 0.04, 1e-9);
   EXPECT_NEAR(scores[1].error.position_rmse_m, 0.09, 1e-9);
   options.starts = {0};
-  EXPECT_THROW(evaluate(archive, {&drifting}, options), std::invalid_argument);  // still in flight at frame 0
+  EXPECT_THROW(evaluate(archive, {&drifting}, options), std::invalid_argument);  // the objects still fly at frame 0
 }
 
 TEST(Protocol, RefusesScenesThatAreTooShortAndBadOptions) {
@@ -173,7 +175,7 @@ TEST(Protocol, RefusesScenesThatAreTooShortAndBadOptions) {
   EXPECT_NO_THROW(evaluate(flying_set(1, 101), {&ballistic}, options));
   EXPECT_THROW(evaluate(flying_set(0, 101), {&ballistic}, options), std::invalid_argument);
   options.horizons = {5};
-  EXPECT_THROW(options.validate(), std::invalid_argument);  // shorter than step 10
+  EXPECT_THROW(options.validate(), std::invalid_argument);  // a horizon shorter than step size 10
   options = {};
   options.steps = {0};
   EXPECT_THROW(options.validate(), std::invalid_argument);

@@ -9,6 +9,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "rigidformer/io/full_disk.hpp"
+#include "rigidformer/io/text_file.hpp"
+
 namespace rigidformer {
 namespace {
 
@@ -55,6 +58,17 @@ TEST(Report, WritesEveryScoreToJson) {
 
 TEST(Report, SaysWhenItCannotWrite) {
   EXPECT_THROW(write_scores_json("/nonexistent/scores.json", {}, {}), std::runtime_error);
+}
+
+TEST(Report, AFullDiskKeepsTheScoresThatWereThere) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "scores.json";
+  write_scores_json(path, {}, {});
+  const std::string before = read_text_file(path, 1000);
+  const std::string message = on_a_full_disk([&] { write_scores_json(path, two_rows(), {}); });
+  EXPECT_NE(message.find("scores.json': cannot write"), std::string::npos) << message;
+  EXPECT_EQ(read_text_file(path, 1000), before);
+  EXPECT_EQ(count_files(folder.path()), 1);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace rigidformer {
 
-/// A scene of the given shapes that rest beside each other.
+/// A scene of the given shapes, which rest beside each other.
 inline SceneRecording resting_scene(const std::string& name, const std::vector<std::string>& shapes, int num_frames) {
   SceneRecording scene;
   scene.name = name;

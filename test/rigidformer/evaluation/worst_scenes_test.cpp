@@ -62,7 +62,7 @@ TEST_F(WorstScenesTest, PathsStartAtTheSecondGivenFrameAndMeetTheRecording) {
   worst_.add(result);
   const ScenePaths paths = worst_.list().at(0);
   EXPECT_EQ(paths.shapes, (std::vector<std::string>{"cube", "ball"}));
-  ASSERT_EQ(paths.recorded[1].size(), 10U);  // 100 frames in steps of 10, from frame 130 to 220
+  ASSERT_EQ(paths.recorded[1].size(), 10U);  // the 100 frames after frame 120 in steps of 10: from frame 130 to 220
   ASSERT_EQ(paths.predicted[1].size(), 10U);
   EXPECT_EQ(paths.recorded[1].front().y(), 130.0);
   EXPECT_EQ(paths.recorded[1].back().y(), 220.0);

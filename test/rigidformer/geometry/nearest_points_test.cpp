@@ -41,7 +41,7 @@ double nearest_other_distance(const std::vector<Points>& world, std::size_t obje
   return best;
 }
 
-/// Compares distances, not indices: two points may be equally near to within rounding.
+/// Compares distances and not indices, because two points may be equally near to within rounding.
 void expect_exact(const std::vector<Points>& clouds, const Poses& poses, const std::vector<NearestNeighbors>& nearest) {
   std::vector<Points> world;
   for (std::size_t i = 0; i < clouds.size(); ++i) {
@@ -89,7 +89,7 @@ TEST(NearestPoints, StaysExactWhileObjectsMove) {
   NearestPoints search(clouds);
   std::vector<NearestNeighbors> nearest;
   for (int step = 0; step < 30; ++step) {
-    for (RigidTransform& pose : poses) {  // small motions, and now and then a jump that makes the last answer useless
+    for (RigidTransform& pose : poses) {  // small motions, with a jump now and then that makes the last answer useless
       pose = step % 10 == 9 ? random_pose(2.0, random) : random_pose(0.05, random) * pose;
     }
     search.query(poses, nearest);

@@ -47,7 +47,7 @@ TEST(Random, RotationsAreUnitAndPointEverywhere) {
     mean_square_w += q.w() * q.w() / 2000.0;
   }
   EXPECT_LT(mean.norm(), 0.08);
-  EXPECT_NEAR(mean_square_w, 0.25, 0.03);  // a quarter for points uniform on the 3-sphere
+  EXPECT_NEAR(mean_square_w, 0.25, 0.03);  // the mean is a quarter for points uniform on the 3-sphere
 }
 
 }  // namespace

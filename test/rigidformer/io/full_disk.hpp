@@ -11,8 +11,8 @@
 
 namespace rigidformer {
 
-/// Message of the exception that `call` throws while no file may grow beyond 256 bytes: writing then fails in its
-/// middle, as on a full disk.
+/// Returns the message of the exception that `call` throws while no file may grow beyond 256 bytes: writing then fails
+/// in its middle, as on a full disk.
 template <typename Call>
 std::string on_a_full_disk(const Call& call) {
   std::signal(SIGXFSZ, SIG_IGN);

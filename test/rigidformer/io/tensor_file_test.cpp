@@ -42,7 +42,7 @@ void write_bytes(const std::filesystem::path& path, const Bytes& bytes) {
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// A file in the right layout with any header text; no hash is added.
+/// Writes a file in the right layout with any header text, without adding a hash.
 Bytes assemble(const std::string& header, const Bytes& data) {
   const std::uint64_t size = header.size();
   std::string text(reinterpret_cast<const char*>(&size), sizeof(size));
@@ -54,7 +54,7 @@ Bytes assemble(const std::string& header, const Bytes& data) {
 
 class TensorFileTest : public ::testing::Test {
  protected:
-  /// Message of the std::runtime_error that reading `bytes` throws; it must name the path.
+  /// Returns the message of the std::runtime_error that reading `bytes` throws, which must name the path.
   std::string defect_of(const Bytes& bytes) {
     write_bytes(path_, bytes);
     return file_error_of(path_, [&] { read_tensor_file(path_); });
@@ -91,7 +91,7 @@ TEST_F(TensorFileTest, SameContentGivesSameBytesAndOtherContentAnotherHash) {
   write_tensor_file(path_, file);
   const Bytes first = read_bytes(path_);
   const std::string first_hash = stored_sha256(read_tensor_file(path_));
-  write_tensor_file(path_, read_tensor_file(path_));  // the old hash in the metadata does not count
+  write_tensor_file(path_, read_tensor_file(path_));  // the old hash in the metadata is ignored
   EXPECT_EQ(read_bytes(path_), first);
   file.metadata["purpose"] = "other";
   write_tensor_file(path_, file);
@@ -153,7 +153,7 @@ TEST_F(TensorFileTest, EveryFlippedBitIsNoticed) {
   std::uint64_t header_size = 0;
   std::memcpy(&header_size, whole.data(), 8);
   const std::string header(whole.begin() + 8, whole.begin() + 8 + static_cast<std::ptrdiff_t>(header_size));
-  const std::size_t padding = 8 + header.find_last_not_of(' ') + 1;  // blanks that carry no meaning
+  const std::size_t padding = 8 + header.find_last_not_of(' ') + 1;  // the blanks after it carry no meaning
   for (std::size_t i = 0; i < whole.size(); ++i) {
     if (i >= padding && i < 8 + header_size) continue;
     Bytes flipped = whole;
@@ -180,7 +180,7 @@ TEST_F(TensorFileTest, EndlessNestingIsRefusedBeforeItExhaustsTheStack) {
 
 TEST_F(TensorFileTest, AFileOfImpossibleSizeIsRefusedWithoutReadingIt) {
   write_tensor_file(path_, example_file());
-  std::filesystem::resize_file(path_, std::uintmax_t{5} << 30);  // sparse: takes no room on the disk
+  std::filesystem::resize_file(path_, std::uintmax_t{5} << 30);  // a sparse file takes no room on the disk
   EXPECT_NE(file_error_of(path_, [&] { read_tensor_file(path_); }).find("accepted are at most"), std::string::npos);
 }
 

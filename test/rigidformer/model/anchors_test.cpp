@@ -21,12 +21,14 @@ class FarthestAnchorsTest : public ::testing::Test {
 
 TEST_F(FarthestAnchorsTest, EqualFarthestPointSamplingOfTheValidPoints) {
   const Tensor anchors = farthest_anchors(points_, mask_, 5);
-  for (int64_t b = 0; b < 2; ++b) {
-    for (int64_t k = 0; k < 2; ++k) {
+  for (std::int64_t b = 0; b < 2; ++b) {
+    for (std::int64_t k = 0; k < 2; ++k) {
       const Tensor cloud = points_[b][k].index({mask_[b][k]}).to(torch::kFloat32).contiguous();
       const Points rows = Eigen::Map<const Points>(cloud.data_ptr<float>(), cloud.size(0), 3);
       const std::vector<int> expected = farthest_point_order(rows, 5);
-      for (size_t i = 0; i < 5; ++i) EXPECT_EQ(anchors[b][k][static_cast<int64_t>(i)].item<int64_t>(), expected[i]);
+      for (size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(anchors[b][k][static_cast<std::int64_t>(i)].item<std::int64_t>(), expected[i]);
+      }
     }
   }
 }
@@ -41,13 +43,13 @@ TEST_F(FarthestAnchorsTest, DoNotDependOnVertexOrder) {
 }
 
 TEST_F(FarthestAnchorsTest, RandomStartsAreValidDistinctAndDifferent) {
-  std::set<int64_t> starts;
+  std::set<std::int64_t> starts;
   for (int i = 0; i < 30; ++i) {
     const Tensor anchors = farthest_anchors(points_, mask_, 4, torch::rand(mask_.sizes()));
     EXPECT_TRUE(mask_.gather(-1, anchors).all().item<bool>());
-    starts.insert(anchors[0][0][0].item<int64_t>());
-    for (int64_t b = 0; b < 2; ++b) {
-      for (int64_t k = 0; k < 2; ++k) EXPECT_EQ(std::get<0>(torch::_unique(anchors[b][k])).size(0), 4);
+    starts.insert(anchors[0][0][0].item<std::int64_t>());
+    for (std::int64_t b = 0; b < 2; ++b) {
+      for (std::int64_t k = 0; k < 2; ++k) EXPECT_EQ(std::get<0>(torch::_unique(anchors[b][k])).size(0), 4);
     }
   }
   EXPECT_GT(starts.size(), 5u);

@@ -35,7 +35,7 @@ class CheckpointTest : public ::testing::Test {
  protected:
   void SetUp() override { save_checkpoint(path_, model_, example_facts()); }
 
-  /// Message of the one std::runtime_error that loading must throw.
+  /// Returns the message of the one std::runtime_error that loading must throw.
   std::string defect() {
     return file_error_of(path_, [&] { load_checkpoint(path_); });
   }
@@ -45,7 +45,7 @@ class CheckpointTest : public ::testing::Test {
     EXPECT_NE(message.find(word), std::string::npos) << message;
   }
 
-  /// Rewrites the file with a fitting hash after a change of its content.
+  /// Rewrites the file, with a fitting hash, after a change of its content.
   template <typename Change>
   void rewrite(const Change& change) {
     save_checkpoint(path_, model_, example_facts());
@@ -159,7 +159,7 @@ TEST_F(CheckpointTest, WrongVersionsAndBrokenTextsAreRefused) {
   defect();
 }
 
-// JSON text can hold any number; converting one that does not fit would cut it, or be undefined.
+// JSON text can hold any number. Converting one that does not fit would cut it or be undefined.
 TEST_F(CheckpointTest, TrainingFactsThatAreNoIntegersOfTheirRangeAreRefusedByName) {
   const std::pair<const char*, const char*> wrong[] = {
       {"iterations", "1.5"},        {"iterations", "1e300"}, {"iterations", "18446744073709551615"},

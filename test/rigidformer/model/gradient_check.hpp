@@ -19,7 +19,7 @@ inline torch::Tensor random_leaf(torch::IntArrayRef shape) {
 /// random directions of every leaf (float64) in turn, relative to the largest derivative.
 inline double gradient_error(const std::function<torch::Tensor()>& f, const std::vector<torch::Tensor>& leaves,
                              double step = 1e-6) {
-  constexpr int kDirectionsPerLeaf = 3;
+  constexpr int kDirectionsPerLeaf = 3;  // random directions; chosen by eye
   const auto project = [&] {
     const torch::Tensor y = f();
     return (y * torch::cos(torch::arange(y.numel(), torch::kFloat64) * 1.7 + 0.3).view(y.sizes())).sum();

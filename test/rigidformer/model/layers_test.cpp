@@ -11,10 +11,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kGradientTolerance = 1e-6;
-constexpr double kExact = 1e-12;
+constexpr double kGradientTolerance = 1e-6;  // relative, of central differences in float64
+constexpr double kExact = 1e-12;             // float64, with the same order of operations
 
-/// Sizes at which every element can be checked.
+/// Options with sizes at which every element can be checked.
 ModelOptions miniature() {
   ModelOptions options;
   options.encoder_widths = {5};
@@ -33,7 +33,7 @@ ModelOptions miniature() {
   return options;
 }
 
-/// In float64 and with no parameter left at zero.
+/// Puts a module into float64 and moves all its parameters away from zero.
 template <typename Module>
 Module prepared(Module module) {
   module->to(torch::kFloat64);
@@ -150,7 +150,7 @@ TEST_F(LayersTest, GatedAttentionFollowsItsFormula) {
   const Tensor k_all = torch::matmul(key, attention->to_key->weight.t());
   const Tensor v_all = torch::matmul(key, attention->to_value->weight.t());
   std::vector<Tensor> heads;
-  for (int64_t head = 0; head < 2; ++head) {
+  for (std::int64_t head = 0; head < 2; ++head) {
     const auto part = [&](const Tensor& x) { return x.slice(-1, 8 * head, 8 * head + 8)[0]; };
     const Tensor q = attention->query_norm(part(q_all)), k = attention->key_norm(part(k_all));
     heads.push_back(torch::matmul(torch::softmax(torch::matmul(q, k.t()) / std::sqrt(8.0), -1), part(v_all)));
@@ -178,7 +178,7 @@ TEST_F(LayersTest, AnchorVertexPoolingFollowsEquation3InAnyVertexOrder) {
   const Tensor anchors = points.slice(2, 0, 2), mask = torch::ones({1, 1, 6}, torch::kBool);
   const double sigma = std::exp(pooling->log_sigma.item<double>());
   std::vector<Tensor> pooled;
-  for (int64_t k = 0; k < 2; ++k) {
+  for (std::int64_t k = 0; k < 2; ++k) {
     const Tensor w = torch::exp(-(points[0][0] - anchors[0][0][k]).norm(2, -1) / sigma);
     pooled.push_back((w.unsqueeze(-1) * f[0][0]).sum(0) / w.sum());
   }
@@ -188,24 +188,24 @@ TEST_F(LayersTest, AnchorVertexPoolingFollowsEquation3InAnyVertexOrder) {
   const Tensor shuffled = pooling(f.index_select(2, order), points.index_select(2, order), mask, anchors);
   EXPECT_LT(largest_difference(shuffled, u), kExact);
   EXPECT_TRUE(torch::equal(AnchorVertexPooling(miniature())(f.to(torch::kFloat32), points, mask, anchors),
-                           torch::zeros({1, 1, 2, 4})));  // starts at zero
+                           torch::zeros({1, 1, 2, 4})));  // the last layer starts at zero
 }
 
 TEST_F(LayersTest, EncoderLevelsPoolPrefixesOfTheFarthestPointOrder) {
   const ModelOptions options = miniature();
-  const int64_t N = 16, E = 5;
+  const std::int64_t N = 16, E = 5;
   const Tensor h = torch::randn({1, 1, N, num_vertex_features(options)}, torch::kFloat64);
   const Tensor mask = torch::ones({1, 1, N}, torch::kBool);
-  const int64_t pooled_points[] = {16, 8, 4, 2};
-  for (int64_t level = 0; level < 4; ++level) {
+  const std::int64_t pooled_points[] = {16, 8, 4, 2};
+  for (std::int64_t level = 0; level < 4; ++level) {
     PointEncoder encoder = prepared(PointEncoder(options));
     torch::NoGradGuard no_grad;
     const Tensor kept = encoder->fuse->first->weight.slice(1, level * E, level * E + E).clone();
     encoder->fuse->first->weight.zero_().slice(1, level * E, level * E + E).copy_(kept);
     const Tensor before = encoder(h, mask).tokens;
-    for (int64_t i = 0; i < N; ++i) {
+    for (std::int64_t i = 0; i < N; ++i) {
       Tensor changed = h.clone();
-      changed[0][0][i] = 100.0 * encoder->backbone[0]->as<Linear>()->weight[0];  // the largest in channel 0
+      changed[0][0][i] = 100.0 * encoder->backbone[0]->as<Linear>()->weight[0];  // largest value of channel 0
       const bool reaches = largest_difference(encoder(changed, mask).tokens, before) > 0.0;
       EXPECT_EQ(reaches, i < pooled_points[level]) << "level " << level << ", point " << i;
     }
@@ -227,11 +227,11 @@ TEST_F(LayersTest, EncoderLevelsAreTheSameWithoutGradientsAlsoWhereNotFinite) {
 
 TEST_F(LayersTest, RotaryAnglesAreLogSpacedAndDoubled) {
   const Tensor angles =
-      rotary_angles(torch::tensor({{32.0, 0.0, 1.0}}, torch::kFloat64), 24);  // 4 frequencies per axis
+      rotary_angles(torch::tensor({{32.0, 0.0, 1.0}}, torch::kFloat64), 24);  // 24 channels: 4 frequencies per axis
   ASSERT_EQ(angles.size(1), 24);
   const Tensor x = angles[0].slice(0, 0, 4);
-  EXPECT_NEAR(x[0].item<double>(), 2.0 * M_PI, 1e-9);       // longest wavelength: 32 m
-  EXPECT_NEAR(x[3].item<double>(), 2.0 * M_PI * 64, 1e-9);  // shortest: 0.5 m
+  EXPECT_NEAR(x[0].item<double>(), 2.0 * M_PI, 1e-9);       // the longest wavelength is 32 m
+  EXPECT_NEAR(x[3].item<double>(), 2.0 * M_PI * 64, 1e-9);  // the shortest wavelength is 0.5 m
   EXPECT_NEAR((x[1] / x[0]).item<double>(), 4.0, 1e-9);
   EXPECT_NEAR((x[2] / x[1]).item<double>(), 4.0, 1e-9);
   EXPECT_TRUE(torch::equal(angles[0].slice(0, 4, 8), x));

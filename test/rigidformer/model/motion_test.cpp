@@ -33,14 +33,14 @@ struct FreeFlight {
   }
 };
 
-/// Spheres' centres that stand still or move in straight lines, for the contact gate.
+/// Centres of spheres that stand still or move in straight lines, for the contact gate.
 struct Spheres {
   SceneBatch batch;
   BaseMotion base;
   Tensor radius;
 
   Spheres(const Tensor& centre, const Tensor& step, double ground = kNoGround, double sphere_radius = 0.5) {
-    const int64_t K = centre.size(0);
+    const std::int64_t K = centre.size(0);
     batch.points_reference = torch::zeros({1, K, 1, 3}, kWide);
     batch.object_mask = torch::ones({1, K}, torch::kBool);
     batch.ground_height = torch::full({1}, ground, kWide);
@@ -52,7 +52,7 @@ struct Spheres {
   std::vector<bool> gate(double margin) const {
     const Tensor open = contact_gate(batch, base, radius, margin)[0];
     std::vector<bool> values;
-    for (int64_t k = 0; k < open.size(0); ++k) values.push_back(open[k].item<bool>());
+    for (std::int64_t k = 0; k < open.size(0); ++k) values.push_back(open[k].item<bool>());
     return values;
   }
 };
@@ -88,7 +88,7 @@ TEST(BaseMotion, InertialFormIsSpinAndParabola) {
 
 TEST(BaseMotion, GravityPullsOnlyDynamicObjects) {
   RandomScene scene = random_scene(3, {{9, 9}});
-  scene.state.previous = scene.state.current;  // at rest
+  scene.state.previous = scene.state.current;  // the bodies rest
   scene.batch.dynamic_mask[0][1] = false;
   ModelOptions options = model_preset("tiny");
   options.inertial_base_motion = true;
@@ -100,11 +100,11 @@ TEST(BaseMotion, GravityPullsOnlyDynamicObjects) {
 }
 
 TEST(ContactGate, OpensExactlyAtTheReachOfSweptSpheres) {
-  // Closest approach of the two lines is 2 m, half-way through the step; radii sum to 1 m.
+  // The closest approach of the two lines is 2 m, half-way through the step; the radii sum to 1 m.
   const Spheres pair(torch::stack({vec3(-3, 0, 9), vec3(3, 2, 9)}), torch::stack({vec3(6, 0, 0), vec3(-6, 0, 0)}));
   EXPECT_EQ(pair.gate(0.999), (std::vector<bool>{false, false}));
   EXPECT_EQ(pair.gate(1.001), (std::vector<bool>{true, true}));
-  // Distances of today do not count when they part: the closest approach is now.
+  // When the spheres part, the closest approach is now.
   const Spheres parting(torch::stack({vec3(0, 0, 9), vec3(1.5, 0, 9)}), torch::stack({vec3(-9, 0, 0), vec3(9, 0, 0)}));
   EXPECT_EQ(parting.gate(0.499), (std::vector<bool>{false, false}));
   EXPECT_EQ(parting.gate(0.501), (std::vector<bool>{true, true}));
@@ -112,10 +112,10 @@ TEST(ContactGate, OpensExactlyAtTheReachOfSweptSpheres) {
 
 TEST(ContactGate, GroundCountsForTheLowestPointOfTheStep) {
   const Spheres falling(vec3(0, 0, 2).unsqueeze(0), vec3(0, 0, -0.5).unsqueeze(0), 0.0);
-  EXPECT_FALSE(falling.gate(0.999)[0]);  // bottom ends at 2 - 0.5 - 0.5 = 1 m
+  EXPECT_FALSE(falling.gate(0.999)[0]);  // the bottom ends at 2 - 0.5 - 0.5 = 1 m
   EXPECT_TRUE(falling.gate(1.001)[0]);
   const Spheres rising(vec3(0, 0, 2).unsqueeze(0), vec3(0, 0, 5).unsqueeze(0), 0.0);
-  EXPECT_FALSE(rising.gate(1.499)[0]);  // bottom starts at 1.5 m
+  EXPECT_FALSE(rising.gate(1.499)[0]);  // the bottom starts at 1.5 m
   EXPECT_TRUE(rising.gate(1.501)[0]);
 }
 
@@ -158,7 +158,7 @@ TEST(Advance, PredictedPosesMoveDynamicObjectsAndTwistsMoveTheOthers) {
   RandomScene scene = random_scene(5, {{8, 8, 8}});
   scene.batch.dynamic_mask[0][1] = scene.batch.dynamic_mask[0][2] = false;
   SceneState& state = scene.state;
-  state.previous.rotation.select(1, 2).copy_(state.current.rotation.select(1, 2));  // the last one rests
+  state.previous.rotation.select(1, 2).copy_(state.current.rotation.select(1, 2));  // the last object rests
   state.previous.translation.select(1, 2).copy_(state.current.translation.select(1, 2));
   const Pose next = flight.at(0.2);
   const Pose predicted{next.rotation.expand({1, 3, 3, 3}), next.translation.expand({1, 3, 3})};
@@ -193,7 +193,7 @@ TEST(Advance, GivenMotionsStayRigidOverLongRollouts) {
   for (int step = 0; step < 200; ++step) state = advance(scene.batch, state, {Tensor(), state.current, state.current});
   const Tensor R = state.current.rotation;
   EXPECT_LT(largest_difference(torch::matmul(R.transpose(-1, -2), R), torch::eye(3).expand_as(R)), 1e-5);
-  EXPECT_LT(largest_difference(R[0][1], scene.state.current.rotation[0][1]), 1e-3);  // did not turn
+  EXPECT_LT(largest_difference(R[0][1], scene.state.current.rotation[0][1]), 1e-3);  // the object did not turn
 }
 
 TEST(NearestByDistanceMatrix, MatchesBruteForce) {
@@ -201,15 +201,15 @@ TEST(NearestByDistanceMatrix, MatchesBruteForce) {
   const Tensor x = scene.state.current.apply(scene.batch.points_reference);
   const Nearest nearest = nearest_by_distance_matrix(scene.batch, scene.state.current, x);
   const Tensor flat = x.flatten(1, 2), mask = scene.batch.point_mask.flatten(1, 2);
-  const int64_t K = 3, N = scene.batch.max_points();
-  for (int64_t b = 0; b < 3; ++b) {
-    for (int64_t i = 0; i < K * N; ++i) {
+  const std::int64_t K = 3, N = scene.batch.max_points();
+  for (std::int64_t b = 0; b < 3; ++b) {
+    for (std::int64_t i = 0; i < K * N; ++i) {
       const Tensor distance = (flat[b] - flat[b][i]).norm(2, -1);
       const Tensor allowed = mask[b].logical_and(torch::arange(K * N, torch::kInt64).floor_divide(N) != i / N);
       const bool expected = mask[b][i].item<bool>() && allowed.any().item<bool>();
       ASSERT_EQ(nearest.found.flatten(1, 2)[b][i].item<bool>(), expected);
       if (!expected) continue;
-      const int64_t index = nearest.index.flatten(1, 2)[b][i].item<int64_t>();
+      const std::int64_t index = nearest.index.flatten(1, 2)[b][i].item<std::int64_t>();
       ASSERT_TRUE(allowed[index].item<bool>());
       EXPECT_NEAR(distance[index].item<double>(), distance.masked_select(allowed).min().item<double>(), 1e-5);
     }
@@ -229,7 +229,7 @@ TEST(VertexFeatures, PaperFormHasTwelveChannels) {
   EXPECT_LT(largest_difference(h.slice(-1, 6, 9), x - scene.state.first.apply(points)), 1e-12);
   EXPECT_LT(largest_difference(h.slice(-1, 9), scene.batch.properties.unsqueeze(2).expand({1, 2, 8, 3})), 1e-12);
   const Tensor distance = torch::cdist(x[0][0], x[0][1], 2, 2);
-  for (int64_t i = 0; i < 8; ++i) {
+  for (std::int64_t i = 0; i < 8; ++i) {
     const double to_object = distance[i].min().item<double>(), height = x[0][0][i][2].item<double>();
     const Tensor d = h[0][0][i].slice(0, 0, 3);
     EXPECT_NEAR(d.norm().item<double>(), std::min(to_object, std::abs(height)), 1e-9);

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "random_scene.hpp"
 #include "rigidformer/data/example_archive.hpp"
@@ -16,7 +17,7 @@ namespace {
 using Json = nlohmann::json;
 using Change = std::function<void(ModelOptions&)>;
 
-int64_t parameters_of(const std::string& preset) { return count_parameters(*RigidFormer(model_preset(preset))); }
+std::int64_t parameters_of(const std::string& preset) { return count_parameters(*RigidFormer(model_preset(preset))); }
 
 /// Every option away from its default, one at a time and in the combinations that interact.
 const std::vector<std::pair<std::string, Change>>& changes() {
@@ -46,6 +47,10 @@ const std::vector<std::pair<std::string, Change>>& changes() {
       {"own token", [](ModelOptions& o) { o.own_token_in_query = true; }},
       {"velocity output", [](ModelOptions& o) { o.velocity_output = true; }},
       {"end velocity", [](ModelOptions& o) { o.end_velocity_output = true; }},
+      {"local planes", [](ModelOptions& o) { o.local_planes = true; }},
+      {"more points", [](ModelOptions& o) { o.max_points = 1200; }},
+      {"no rest", [](ModelOptions& o) { o.rest_speed_mps = 0.0; }},
+      {"restful", [](ModelOptions& o) { o.rest_spin_radps = 1.0 / 3.0; }},
       {"everything", [](ModelOptions& o) { o = contact_aware(o); }}};
   return list;
 }
@@ -63,7 +68,7 @@ void expect_finite_training_step(const ModelOptions& options, torch::ScalarType 
   for (int step = 0; step < 2; ++step) {
     const StepPrediction prediction = model->forward(scene.batch, state, centre, nearest_by_distance_matrix,
                                                      make_engine_step(options, scene.batch, centre));
-    ASSERT_EQ(prediction.anchors_raw.sizes(), (std::vector<int64_t>{2, 2, options.num_anchors, 3}));
+    ASSERT_EQ(prediction.anchors_raw.sizes(), (std::vector<std::int64_t>{2, 2, options.num_anchors, 3}));
     loss = loss + prediction.anchors_raw.square().sum() + prediction.pose.apply(scene.batch.points_reference).sum();
     state = advance(scene.batch, state, prediction);
   }
@@ -100,7 +105,7 @@ TEST(ModelOptionsTest, PaperPresetHasTheNumbersOfTheText) {
   EXPECT_EQ(o.dropout, 0.1);
   for (const bool beyond : {o.inertial_base_motion, o.contact_gate, o.centre_of_mass_head, o.position_feature,
                             o.contact_features, o.property_mask, o.own_token_in_query, o.velocity_output,
-                            o.end_velocity_output, o.engine_motion, o.hidden_side_head}) {
+                            o.end_velocity_output, o.engine_motion, o.hidden_side_head, o.local_planes}) {
     EXPECT_FALSE(beyond);
   }
 }
@@ -134,11 +139,13 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
     EXPECT_THROW(model_options_from_json(text), std::invalid_argument) << text;
     return error_of([&] { model_options_from_json(text); });
   };
+  const std::set<std::string> newer = {"end_velocity_output", "engine_motion",  "hidden_side_head", "local_planes",
+                                       "max_points",          "rest_speed_mps", "rest_spin_radps"};
   for (const auto& [key, value] : good.items()) {
     Json json = good;
     json.erase(key);
-    if (key == "end_velocity_output" || key == "engine_motion" || key == "hidden_side_head") {
-      EXPECT_FALSE(model_options_from_json(json.dump()).end_velocity_output) << "older files do not hold " << key;
+    if (newer.count(key) > 0) {
+      EXPECT_EQ(Json::parse(to_json(model_options_from_json(json.dump()))), good) << "older files do not hold " << key;
     } else {
       EXPECT_NE(refusal(json).find(key), std::string::npos) << key;
     }
@@ -200,7 +207,10 @@ TEST(ModelOptionsTest, ValuesOutOfRangeAreRefusedByName) {
       {"head_hidden", [](ModelOptions& o) { o.head_hidden = 0; }},
       {"contact_gate_margin_m", [](ModelOptions& o) { o.contact_gate_margin_m = -0.1; }},
       {"engine_motion", [](ModelOptions& o) { o.engine_motion = true; }},
-      {"hidden_side_head", [](ModelOptions& o) { o.hidden_side_head = true; }}};
+      {"hidden_side_head", [](ModelOptions& o) { o.hidden_side_head = true; }},
+      {"max_points", [](ModelOptions& o) { o.max_points = 15; }},
+      {"rest_speed_mps", [](ModelOptions& o) { o.rest_speed_mps = -0.1; }},
+      {"rest_spin_radps", [](ModelOptions& o) { o.rest_spin_radps = std::nan(""); }}};
   for (const auto& [field, change] : wrong) {
     ModelOptions options = model_preset("tiny");
     change(options);

@@ -15,7 +15,7 @@
 
 namespace rigidformer {
 
-/// The input of one step.
+/// The inputs of one step.
 struct RandomScene {
   SceneBatch batch;
   SceneState state;
@@ -33,6 +33,7 @@ void for_each_object_tensor(RandomScene& scene, Visitor&& visit) {
                          &b.properties_known, &b.dynamic_mask}) {
     visit(*tensor);
   }
+  if (b.normals_reference.defined()) visit(b.normals_reference);
   for (Pose* pose : {&scene.state.first, &scene.state.previous, &scene.state.current}) {
     visit(pose->rotation);
     visit(pose->translation);
@@ -47,7 +48,7 @@ void for_each_scene_tensor(RandomScene& scene, Visitor&& visit) {
   if (b.control.defined()) visit(b.control);
 }
 
-/// The pose moved a little: up to some centimetres and hundredths of a radian.
+/// Moves the pose a little: by up to some centimetres and hundredths of a radian.
 inline Pose nudged(const Pose& pose) {
   return {special_procrustes((pose.rotation + 0.03 * torch::randn_like(pose.rotation)).transpose(-1, -2)),
           pose.translation + 0.02 * torch::randn_like(pose.translation)};
@@ -55,13 +56,13 @@ inline Pose nudged(const Pose& pose) {
 
 /// Random clouds close to each other and to the ground. `points[b][k]` is the number of points of object k in scene b;
 /// shorter scenes and clouds are padded with zeros. Reseeds torch.
-inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vector<int64_t>>& points,
+inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vector<std::int64_t>>& points,
                                 int num_anchors = 4, int control_dim = 0, torch::ScalarType type = torch::kFloat64) {
   torch::manual_seed(seed);
-  const auto B = static_cast<int64_t>(points.size());
-  int64_t K = 0, N = 0;
+  const auto B = static_cast<std::int64_t>(points.size());
+  std::int64_t K = 0, N = 0;
   for (const auto& row : points) {
-    K = std::max(K, static_cast<int64_t>(row.size()));
+    K = std::max(K, static_cast<std::int64_t>(row.size()));
     N = std::max(N, *std::max_element(row.begin(), row.end()));
   }
   RandomScene scene;
@@ -69,10 +70,10 @@ inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vecto
   const auto like = torch::TensorOptions(torch::kFloat64);
   b.point_mask = torch::zeros({B, K, N}, torch::kBool);
   b.anchor_index = torch::zeros({B, K, num_anchors}, torch::kInt64);
-  for (int64_t i = 0; i < B; ++i) {
+  for (std::int64_t i = 0; i < B; ++i) {
     const auto& row = points[static_cast<size_t>(i)];
-    for (int64_t k = 0; k < static_cast<int64_t>(row.size()); ++k) {
-      const int64_t count = row[static_cast<size_t>(k)];
+    for (std::int64_t k = 0; k < static_cast<std::int64_t>(row.size()); ++k) {
+      const std::int64_t count = row[static_cast<size_t>(k)];
       b.point_mask[i][k].slice(0, 0, count).fill_(true);
       b.anchor_index[i][k].copy_(torch::randperm(count, torch::kInt64).slice(0, 0, num_anchors));
     }
@@ -93,6 +94,9 @@ inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vecto
   scene.state.previous = nudged(scene.state.current);
   scene.state.first = nudged(scene.state.previous);
 
+  b.normals_reference = torch::randn({B, K, N, 3}, like);
+  b.normals_reference = b.normals_reference / b.normals_reference.norm(2, -1, true) * b.point_mask.unsqueeze(-1);
+
   const auto convert = [type](Tensor& tensor) {
     if (tensor.is_floating_point()) tensor = tensor.to(type);
   };
@@ -101,16 +105,17 @@ inline RandomScene random_scene(std::uint64_t seed, const std::vector<std::vecto
   return scene;
 }
 
-/// All options beyond the paper on.
+/// Turns on all options beyond the paper.
 inline ModelOptions contact_aware(ModelOptions options) {
   options.inertial_base_motion = options.contact_gate = options.centre_of_mass_head = true;
   options.position_feature = options.contact_features = options.property_mask = true;
   options.own_token_in_query = options.velocity_output = options.end_velocity_output = true;
+  options.local_planes = true;
   options.reference_offset_feature = false;
   return options;
 }
 
-/// The tiny preset in the paper's form and with all options beyond it.
+/// The tiny preset, in the paper's form and with all options beyond it.
 inline std::vector<ModelOptions> tiny_variants() { return {model_preset("tiny"), contact_aware(model_preset("tiny"))}; }
 
 inline const std::vector<std::string>& encoding_names() {

@@ -16,7 +16,7 @@ Tensor turn_about_z(double angle) {
   return torch::tensor({c, -s, 0.0f, s, c, 0.0f, 0.0f, 0.0f, 1.0f}, kFloat).view({1, 1, 3, 3});
 }
 
-/// One object that moves at one speed [m/s] and spin [rad/s] over the last step and at another over the next.
+/// One object that moves at one speed [m/s] and spin [rad/s] over the last step, and at another over the next.
 struct Motion {
   SceneBatch batch;
   SceneState last, next;
@@ -58,9 +58,10 @@ TEST(HoldResting, HoldsWhatIsAndStaysSlow) {
 TEST(HoldResting, NoVelocityHasTwoForms) {
   Motion motion(10, 0.02, 0.1, 0.02, 0.1);
   const double dt = 10.0 / kFrameRateHz;
-  motion.last.previous.translation[0][0][2] -= 0.5 * 10.0 * dt * dt;  // free motion that just ran out of speed
+  // Free motion has just reached its highest point ...
+  motion.last.previous.translation[0][0][2] -= 0.5 * 10.0 * dt * dt;
   EXPECT_TRUE(motion.is_held());
-  motion.next.current.translation[0][0][2] -= 0.5 * 10.0 * dt * dt;  // ... and falls
+  motion.next.current.translation[0][0][2] -= 0.5 * 10.0 * dt * dt;  // ... and goes on to fall
   EXPECT_FALSE(motion.is_held());
 }
 
@@ -72,7 +73,7 @@ TEST(HoldResting, LimitsAreMeant) {
 
 TEST(HoldResting, LetsGoWhatBeginsToFallAtEveryTimeStep) {
   for (const double step : {1.0, 2.0, 5.0, 10.0}) {
-    const double fall_speed = 10.0 * step / kFrameRateHz;  // displacement g dt^2 in the first step of the recursion
+    const double fall_speed = 10.0 * step / kFrameRateHz;  // the first step of the recursion covers g dt^2
     EXPECT_FALSE(Motion(step, 0.0, 0.0, fall_speed, 0.0).is_held()) << step;
     EXPECT_TRUE(Motion(step, 0.0, 0.0, 0.2 * fall_speed, 0.0).is_held()) << step;
   }

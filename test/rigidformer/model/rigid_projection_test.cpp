@@ -12,7 +12,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kFiniteDifferenceTolerance = 1e-6;
+constexpr double kFiniteDifferenceTolerance = 1e-6;  // relative, of central differences in float64
 
 Tensor random_rotation() { return special_procrustes(torch::randn({3, 3}, torch::kFloat64)); }
 
@@ -46,8 +46,8 @@ TEST_F(RigidProjectionTest, MatchesUmeyama) {
   const Tensor source = torch::randn({4, 5, 6, 3}, torch::kFloat64);
   const Tensor target = source + 0.5 * torch::randn_like(source) + 3.0;
   const Pose pose = align_rigidly(source, target);
-  for (int64_t b = 0; b < 4; ++b) {
-    for (int64_t k = 0; k < 5; ++k) {
+  for (std::int64_t b = 0; b < 4; ++b) {
+    for (std::int64_t k = 0; k < 5; ++k) {
       const Eigen::Matrix4d expected = Eigen::umeyama(columns(source[b][k]), columns(target[b][k]), false);
       EXPECT_TRUE(matrix(pose.rotation[b][k]).isApprox(expected.topLeftCorner<3, 3>(), 1e-9));
       EXPECT_TRUE(columns(pose.translation[b][k].unsqueeze(0)).isApprox(expected.topRightCorner<3, 1>(), 1e-9));
@@ -71,7 +71,7 @@ TEST_F(RigidProjectionTest, MirroredTargetsStillGiveProperRotations) {
   const Tensor mirrored = source * torch::tensor({1.0, 1.0, -1.0}, torch::kFloat64);
   const Pose pose = align_rigidly(source, mirrored);
   EXPECT_LT(largest_difference(torch::det(pose.rotation), torch::ones({1, 8}, torch::kFloat64)), 1e-12);
-  for (int64_t k = 0; k < 8; ++k) {
+  for (std::int64_t k = 0; k < 8; ++k) {
     const Eigen::Matrix4d expected = Eigen::umeyama(columns(source[0][k]), columns(mirrored[0][k]), false);
     EXPECT_TRUE(matrix(pose.rotation[0][k]).isApprox(expected.topLeftCorner<3, 3>(), 1e-9));
   }
@@ -79,7 +79,7 @@ TEST_F(RigidProjectionTest, MirroredTargetsStillGiveProperRotations) {
 
 TEST_F(RigidProjectionTest, DegenerateInputStaysFiniteAndRigid) {
   Tensor H = torch::zeros({3, 3, 3}, torch::kFloat64);
-  H[1][0][0] = 2.0;  // anchors on a line
+  H[1][0][0] = 2.0;  // the anchors lie on a line
   H[2] = 1e-30 * torch::randn({3, 3}, torch::kFloat64);
   H.set_requires_grad(true);
   const Tensor R = special_procrustes(H);

@@ -9,9 +9,10 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kSameToRounding = 1e-9;  // float64, other order of summation
+constexpr double kSameToRounding = 1e-9;  // float64, with another order of summation
 constexpr double kVisible = 1e-4;         // a difference that a broken property would show
-const std::vector<std::vector<int64_t>> kMixedScenes = {{20, 9, 16}, {12, 17}};
+const std::vector<std::vector<std::int64_t>> kMixedScenes = {{20, 9, 16},
+                                                             {12, 17}};  // points of each object in two scenes
 
 RandomScene reordered_objects(RandomScene scene, const Tensor& order) {
   for_each_object_tensor(scene, [&](Tensor& tensor) { tensor = tensor.index_select(1, order); });
@@ -23,41 +24,46 @@ RandomScene reordered_points(RandomScene scene) {
   SceneBatch& b = scene.batch;
   const Tensor order = (torch::rand(b.point_mask.sizes()) + b.point_mask.logical_not()).argsort();  // valid first
   b.points_reference = gather_points(b.points_reference, order);
+  b.normals_reference = gather_points(b.normals_reference, order);
   b.anchor_index = order.argsort().gather(-1, b.anchor_index);
   return scene;
 }
 
 /// More rows of points and objects, filled with values that must not matter.
-RandomScene padded(RandomScene scene, int64_t more_objects, int64_t more_points) {
+RandomScene padded(RandomScene scene, std::int64_t more_objects, std::int64_t more_points) {
   SceneBatch& b = scene.batch;
-  b.points_reference = torch::constant_pad_nd(b.points_reference, {0, 0, 0, more_points, 0, more_objects}, 7.5);
+  for (Tensor* rows : {&b.points_reference, &b.normals_reference}) {
+    *rows = torch::constant_pad_nd(*rows, {0, 0, 0, more_points, 0, more_objects}, 7.5);
+  }
   b.point_mask = torch::constant_pad_nd(b.point_mask, {0, more_points, 0, more_objects}, false);
-  for (Tensor* mask : {&b.object_mask, &b.dynamic_mask})
+  for (Tensor* mask : {&b.object_mask, &b.dynamic_mask}) {
     *mask = torch::constant_pad_nd(*mask, {0, more_objects}, false);
+  }
   for (Tensor* rows : {&b.anchor_index, &b.properties, &b.properties_known}) {
     *rows = torch::constant_pad_nd(*rows, {0, 0, 0, more_objects}, 0);
   }
   for (Pose* pose : {&scene.state.first, &scene.state.previous, &scene.state.current}) {
     const Tensor identity = torch::eye(3, pose->rotation.options());
-    const int64_t B = b.points_reference.size(0);
+    const std::int64_t B = b.points_reference.size(0);
     pose->rotation = torch::cat({pose->rotation, identity.expand({B, more_objects, 3, 3})}, 1);
     pose->translation = torch::constant_pad_nd(pose->translation, {0, 0, 0, more_objects}, 0.5);
   }
   return scene;
 }
 
-/// Scene `i` of a batch alone, without its padding.
-RandomScene alone(RandomScene scene, int64_t i) {
-  const int64_t K = scene.batch.object_mask[i].sum().item<int64_t>();
-  const int64_t N = scene.batch.point_mask[i].sum(-1).max().item<int64_t>();
+/// Scene `i` of a batch on its own, without its padding.
+RandomScene alone(RandomScene scene, std::int64_t i) {
+  const std::int64_t K = scene.batch.object_mask[i].sum().item<std::int64_t>();
+  const std::int64_t N = scene.batch.point_mask[i].sum(-1).max().item<std::int64_t>();
   for_each_object_tensor(scene, [&](Tensor& tensor) { tensor = tensor.slice(0, i, i + 1).slice(1, 0, K); });
   for_each_scene_tensor(scene, [&](Tensor& tensor) { tensor = tensor.slice(0, i, i + 1); });
   scene.batch.points_reference = scene.batch.points_reference.slice(2, 0, N);
+  scene.batch.normals_reference = scene.batch.normals_reference.slice(2, 0, N);
   scene.batch.point_mask = scene.batch.point_mask.slice(2, 0, N);
   return scene;
 }
 
-/// What the network adds to the base motion [m].
+/// The network's addition to the base motion [m].
 Tensor network_share(const ModelOptions& options, const RandomScene& scene, const StepPrediction& prediction,
                      RigidFormer& model) {
   const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
@@ -87,7 +93,7 @@ TEST(RigidFormerTest, PermutedObjectsGivePermutedPredictions) {
   const Tensor order = torch::tensor({2, 0, 3, 1}, torch::kInt64);
   for (ModelOptions options : tiny_variants()) {
     for (const std::string& name : encoding_names()) {
-      if (name == "learned") continue;  // an index embedding is what breaks the symmetry
+      if (name == "learned") continue;  // an index embedding breaks the symmetry
       SCOPED_TRACE(name);
       options.position_encoding = position_encoding_from_string(name);
       RigidFormer model = random_model(options);
@@ -141,7 +147,8 @@ TEST(RigidFormerTest, VertexOrderMattersOnlyThroughThePoolingLevels) {
     RigidFormer model = random_model(options);
     EXPECT_GT(largest_difference(predict(model, shuffled).anchors_raw, predict(model, scene).anchors_raw), 1e-7);
     torch::NoGradGuard no_grad;
-    model->encoder->fuse->first->weight.slice(1, options.encoder_widths.back()).zero_();  // keep the full level
+    // Keeps only the level of all points.
+    model->encoder->fuse->first->weight.slice(1, options.encoder_widths.back()).zero_();
     expect_same(predict(model, shuffled), predict(model, scene));
   }
 }
@@ -176,9 +183,9 @@ TEST(RigidFormerTest, BatchAndOneByOneAgree) {
   for (const ModelOptions& options : tiny_variants()) {
     RigidFormer model = random_model(options);
     const StepPrediction together = predict(model, scene);
-    for (int64_t i = 0; i < 3; ++i) {
+    for (std::int64_t i = 0; i < 3; ++i) {
       StepPrediction expected = together;
-      const int64_t K = scene.batch.object_mask[i].sum().item<int64_t>();
+      const std::int64_t K = scene.batch.object_mask[i].sum().item<std::int64_t>();
       for (Tensor* tensor : parts_of(expected)) {
         *tensor = tensor->slice(0, i, i + 1).slice(1, 0, K);
       }

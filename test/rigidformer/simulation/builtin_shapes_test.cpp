@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "rigidformer/data/kubasic.hpp"
@@ -84,6 +86,48 @@ Eigen::Vector3f centre_of_union(const Shape& shape) {
 TEST(BuiltinShapes, OriginIsTheCentreOfMass) {
   for (const Shape& shape : builtin_shapes()) {
     EXPECT_LT(centre_of_union(shape).norm(), 0.03F) << shape.name << ' ' << centre_of_union(shape).transpose();
+  }
+}
+
+/// Largest distance of a vertex of the shape, turned by `angle` about z, from the nearest one of the unturned shape.
+float change_by_turning(const Shape& shape, double angle) {
+  const Points vertices = shape.vertices();
+  const Points turned = RigidTransform{rotation_about({0.0, 0.0, angle}), Eigen::Vector3d::Zero()}.apply(vertices);
+  float largest = 0.0F;
+  for (Eigen::Index i = 0; i < turned.rows(); ++i) {
+    largest = std::max(largest, (vertices.rowwise() - turned.row(i)).rowwise().norm().minCoeff());
+  }
+  return largest;
+}
+
+TEST(BuiltinShapes, ABodyOfRevolutionLooksTheSameWhenTurned) {
+  for (const Shape& shape : builtin_shapes()) {
+    if (symmetry_of(shape.name) != Symmetry::kAxis) continue;
+    const int sides = shape.name == "cone" ? 63 : shape.name == "cylinder" ? 32 : 16;
+    EXPECT_LT(change_by_turning(shape, 2.0 * M_PI / sides), 1e-3F) << shape.name;
+  }
+}
+
+TEST(BuiltinShapes, TheTeethOfAGearShowHowItIsTurned) {
+  const auto gear = std::find_if(builtin_shapes().begin(), builtin_shapes().end(),
+                                 [](const Shape& shape) { return shape.name == "gear"; });
+  EXPECT_GT(change_by_turning(*gear, 2.0 * M_PI / 16), 0.05F) << "a tooth is where a gap was";
+  EXPECT_EQ(symmetry_of("gear"), Symmetry::kNone);
+  const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
+  EXPECT_NEAR(visible_angle("gear", still, rotation_about({0.0, 0.0, 0.2})), 0.2, 1e-9);
+}
+
+TEST(BuiltinShapes, OnlyRotationsThatCanBeSeenCount) {
+  const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
+  const Eigen::Quaterniond spun = rotation_about({0.0, 0.0, 0.3}), tilted = rotation_about({0.2, 0.0, 0.0});
+  EXPECT_EQ(visible_angle("sphere", still, tilted), 0.0);
+  for (const char* shape : {"cone", "cylinder", "pear", "torus"}) {
+    EXPECT_EQ(symmetry_of(shape), Symmetry::kAxis);
+    EXPECT_NEAR(visible_angle(shape, still, spun), 0.0, 1e-9) << shape;
+    EXPECT_NEAR(visible_angle(shape, still, tilted * spun), 0.2, 1e-9) << shape;
+  }
+  for (const char* shape : {"bone", "cube", "pebble", "sponge", "torus_knot", "something else"}) {
+    EXPECT_NEAR(visible_angle(shape, still, spun), 0.3, 1e-9) << shape;
   }
 }
 

@@ -23,7 +23,7 @@ BodyState at(double x, double y, double z) {
   return state;
 }
 
-const PhysicalProperties kRubber{1.0, 0.8, 0.7};
+const BodyProperties kRubber{1.0, 0.8, 0.7};
 
 TEST(BulletWorld, FreeFlightIsAParabolaWithConstantHorizontalVelocity) {
   const BulletSettings settings;
@@ -36,7 +36,7 @@ TEST(BulletWorld, FreeFlightIsAParabolaWithConstantHorizontalVelocity) {
     world.step_frame();
     const BodyState state = world.state(0);
     const double t = frame / settings.frame_rate_hz;
-    // The solver's own parabola: velocity first, then position, hence t (t + h) instead of t^2.
+    // The solver's parabola has t (t + h) instead of t^2, because it changes first the velocity and then the position.
     const Eigen::Vector3d expected(2.0 * t, 1.0 - t, 4.0 + 0.5 * t - 5.0 * t * (t + h));
     ASSERT_LT((state.T_world_object.translation - expected).norm(), 1e-3) << "frame " << frame;
     ASSERT_LT((state.velocity - Eigen::Vector3d(2.0, -1.0, 0.5 - 10.0 * t)).norm(), 1e-3) << "frame " << frame;

@@ -22,7 +22,7 @@ TEST(ConvexHull, CubeWithInnerPointsBecomesTwelveOutwardTriangles) {
     const Eigen::Vector3f c = hull.vertices.row(hull.triangles(f, 2));
     volume += a.dot(b.cross(c)) / 6.0;
   }
-  EXPECT_NEAR(volume, 1.0, 1e-5);  // positive: outward orientation, closed
+  EXPECT_NEAR(volume, 1.0, 1e-5);  // positive: the hull is closed and its triangles face outwards
 }
 
 TEST(ConvexHull, PointsWithoutVolumeAreRefused) {

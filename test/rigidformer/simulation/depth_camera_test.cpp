@@ -40,7 +40,8 @@ DepthCameraOptions perfect() {
 
 DepthImage render(const std::vector<CameraBody>& bodies) { return render_depth(small_camera(), bodies, {}, {}); }
 
-/// Depth of the first triangle that a ray from the camera meets (Moeller and Trumbore), infinity for none.
+/// Depth of the first triangle that a ray from the camera meets (by Moeller and
+/// Trumbore); infinity where it meets none.
 double first_hit(const std::vector<CameraBody>& bodies, const Eigen::Vector3d& ray) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const CameraBody& body : bodies) {
@@ -68,7 +69,7 @@ std::vector<CameraBody> clutter() {
     bodies.push_back(body_at(name, {random.uniform(-1.2, 1.2), random.uniform(-0.8, 0.8), random.uniform(3.0, 5.0)},
                              1.0, random.rotation()));
   }
-  bodies.push_back(body_at("cube", {0.0, 0.2, 0.3}, 1.0));  // around the camera's side: partly behind it
+  bodies.push_back(body_at("cube", {0.0, 0.2, 0.3}, 1.0));  // beside the camera and partly behind it
   return bodies;
 }
 
@@ -150,7 +151,7 @@ TEST(DepthCamera, LookAtKeepsTheImageUpright) {
   EXPECT_NEAR((T_world_camera.rotation * Eigen::Vector3d::UnitX()).z(), 0.0, 1e-12);
 }
 
-/// Fills the image evenly.
+/// Fills the whole image evenly.
 DepthImage wall(double distance_m) {
   return render_depth(small_camera(), {body_at("cube", {0.0, 0.0, distance_m + 50.0}, 100.0)}, {}, {});
 }

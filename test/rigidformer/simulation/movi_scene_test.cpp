@@ -111,7 +111,7 @@ TEST_P(MoviScene, ALaterFirstFrameShowsTheSameMotionLater) {
   EXPECT_THROW(generate_movi_scene(GetParam(), shapes_, 3, 0, later), std::invalid_argument);
 }
 
-/// Kinetic and potential energy [J]; inertia of the bounding box, as the simulation uses it.
+/// Kinetic and potential energy [J], with the inertia of the bounding box, as the simulation uses it.
 double energy(const RecordedObject& object, const std::vector<Shape>& shapes, std::size_t frame) {
   const Points vertices = shape_of(object, shapes).vertices();
   const Eigen::Vector3d extent =

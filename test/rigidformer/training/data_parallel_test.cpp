@@ -16,7 +16,7 @@
 namespace rigidformer {
 namespace {
 
-/// A port that nobody listens on now.
+/// Finds a port that nobody listens on now.
 int free_port() {
   const int handle = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address{};
@@ -63,7 +63,7 @@ class DataParallelTest : public ::testing::Test {
     second.wait();
   }
 
-  /// Largest difference of any weight.
+  /// Largest difference of any weight of two models.
   double difference(const std::string& a, const std::string& b) const {
     const Checkpoint first = load_checkpoint(folder_.path() / a / "model.safetensors");
     const Checkpoint second = load_checkpoint(folder_.path() / b / "model.safetensors");

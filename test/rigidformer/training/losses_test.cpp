@@ -9,13 +9,14 @@
 namespace rigidformer {
 namespace {
 
-/// One or more objects whose prediction misses by the same vectors everywhere; time step 0.5 s.
+/// One or more objects whose prediction misses by the same vectors everywhere; the time step is 0.5 s.
 struct Miss {
   RandomScene scene;
   StepPrediction prediction;
   Pose truth;
 
-  explicit Miss(int num_objects) : scene(random_scene(1, {std::vector<int64_t>(static_cast<size_t>(num_objects), 6)})) {
+  explicit Miss(int num_objects)
+      : scene(random_scene(1, {std::vector<std::int64_t>(static_cast<size_t>(num_objects), 6)})) {
     scene.batch.step_size.fill_(120.0);
     truth = scene.state.current;
     const Tensor raw = torch::tensor({0.5, 0.0, 0.0}, torch::kFloat64), rigid = raw.roll(1) * 4.0;
@@ -46,14 +47,14 @@ TEST(StepLoss, IsTheMeanOverValidDynamicObjects) {
   Miss miss(3);
   LossOptions options;
   const double expected = Miss(1).loss(options);
-  EXPECT_NEAR(miss.loss(options), expected, 1e-9);  // all miss by the same
+  EXPECT_NEAR(miss.loss(options), expected, 1e-9);  // all objects miss by the same
   for (Tensor* tensor : {&miss.prediction.anchors_raw, &miss.prediction.pose.translation}) {
     tensor->select(1, 1).add_(100.0);
     tensor->select(1, 2).add_(100.0);
   }
   EXPECT_GT(miss.loss(options), 100.0);
-  miss.scene.batch.object_mask[0][1] = false;   // padding
-  miss.scene.batch.dynamic_mask[0][2] = false;  // static: its prediction is not used
+  miss.scene.batch.object_mask[0][1] = false;   // this object is padding
+  miss.scene.batch.dynamic_mask[0][2] = false;  // this object is static: its prediction is not used
   EXPECT_NEAR(miss.loss(options), expected, 1e-9);
   miss.scene.batch.object_mask.fill_(false);
   EXPECT_EQ(miss.loss(options), 0.0);
@@ -71,14 +72,14 @@ TEST(EndVelocityLoss, ComparesTheStepsThatLeadOn) {
   options.end_velocity_weight = 2.0;
   const auto loss = [&](double x) {
     miss.prediction.pose = miss.truth;
-    miss.prediction.departure = miss.truth;  // stands still; in truth it moves along x, time step 0.5 s
+    miss.prediction.departure = miss.truth;  // predicted to stand still; in truth it moves along x, time step 0.5 s
     Pose departure = miss.truth;
     departure.translation = departure.translation - torch::tensor({x, 0.0, 0.0}, torch::kFloat64);
     return end_velocity_loss(options, miss.scene.batch, miss.prediction, miss.truth, departure).item<double>();
   };
   EXPECT_NEAR(loss(0.0), 0.0, 1e-12);
-  EXPECT_NEAR(loss(0.25), 2.0 * 0.5 * 0.5 * 0.5, 1e-9);  // 0.5 m/s, on the square of Smooth L1
-  EXPECT_NEAR(loss(2.0), 2.0 * 3.5, 1e-9);               // 4 m/s, on the line
+  EXPECT_NEAR(loss(0.25), 2.0 * 0.5 * 0.5 * 0.5, 1e-9);  // 0.5 m/s, on the parabola of Smooth L1
+  EXPECT_NEAR(loss(2.0), 2.0 * 3.5, 1e-9);               // 4 m/s, on the line of Smooth L1
 }
 
 TEST(CentreOfMassLoss, CountsInBoundingRadii) {
@@ -92,7 +93,7 @@ TEST(CentreOfMassLoss, CountsInBoundingRadii) {
   };
   EXPECT_EQ(loss(0.0), 0.0);
   EXPECT_NEAR(loss(1.0), 3.0 * (0.5 - 0.05), 1e-9);             // half a radius, on the line of Smooth L1
-  EXPECT_NEAR(loss(0.1), 3.0 * 0.5 * 0.05 * 0.05 / 0.1, 1e-9);  // on the square
+  EXPECT_NEAR(loss(0.1), 3.0 * 0.5 * 0.05 * 0.05 / 0.1, 1e-9);  // a twentieth of a radius, on the parabola of Smooth L1
 }
 
 /// A ball of unit radius of which the upper half is seen, in double precision.
@@ -159,7 +160,7 @@ TEST(WindowLoss, RollsTheModelOut) {
   const double missed =
       window_loss(options, model, own_rollout(model, scene, 3, 5.0), nearest_by_distance_matrix).item<double>();
   EXPECT_LT(perfect, 0.01);
-  EXPECT_NEAR(missed, 2.0 * 4.5 / 3.0, 0.05);  // raw and rigid miss of one step out of three
+  EXPECT_NEAR(missed, 2.0 * 4.5 / 3.0, 0.05);  // one step out of three misses, raw and rigid
 }
 
 TEST(WindowLoss, GradientMatchesTheDifferenceQuotient) {
@@ -170,7 +171,7 @@ TEST(WindowLoss, GradientMatchesTheDifferenceQuotient) {
     std::vector<Tensor> parameters, directions;
     torch::manual_seed(4);
     for (const auto& parameter : model->named_parameters()) {
-      if (parameter.key().rfind("centre_of_mass_head", 0) == 0) continue;  // learns from its own loss alone
+      if (parameter.key().rfind("centre_of_mass_head", 0) == 0) continue;  // this head learns from its own loss alone
       parameters.push_back(parameter.value());
       directions.push_back(torch::randn_like(parameter.value()).detach());
     }

@@ -116,7 +116,7 @@ TEST_F(FlatAdamWTest, ClippingScalesTheWholeGradient) {
   options_.clip_norm = 1e-3;
   FlatAdamW optimizer(*module_, options_);
   const double norm = learn(optimizer).item<double>();
-  EXPECT_GT(norm, 1e-2);  // reported before clipping
+  EXPECT_GT(norm, 1e-2);  // the norm before clipping
   Tensor first_moment;
   for (const auto& [name, tensor] : optimizer.state()) {
     if (name == "first_moment") first_moment = tensor;

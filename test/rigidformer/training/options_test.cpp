@@ -37,14 +37,14 @@ class TrainingOptionsTest : public ::testing::Test {
 
 TEST_F(TrainingOptionsTest, EveryShippedFileLoads) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kConfigFolder)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kConfigFolder)) {
     if (entry.path().extension() != ".yaml") continue;
     SCOPED_TRACE(entry.path());
     const TrainingOptions options = load_training_options(entry.path());
     EXPECT_GT(options.iterations, 0);
     ++files;
   }
-  EXPECT_GE(files, 3);
+  EXPECT_GE(files, 17);
 }
 
 TEST_F(TrainingOptionsTest, PaperFileHasTheNumbersOfTheText) {
@@ -186,6 +186,43 @@ TEST_F(TrainingOptionsTest, ValuesOutOfRangeAreRefusedByKey) {
       {"model: {position_encoding: rope}", "rope"},
       {"model: {num_anchors: 2}", "num_anchors"}};
   for (const auto& [text, word] : wrong) expect_refusal(text, word);
+}
+
+TEST_F(TrainingOptionsTest, AFileExtendsAnotherKeyByKey) {
+  std::filesystem::create_directories(folder_.path() / "deep");
+  write_text(folder_.path() / "first.yaml",
+             "model: {preset: small, contact_gate: false}\nunroll: [{from: 0, steps: 2}, {from: 0.5, steps: 3}]\n"
+             "iterations: 5\nbatch_size: 6\nloss: {beta: 0.5}");
+  write_text(folder_.path() / "deep" / "second.yaml",
+             "extends: ../first.yaml\nunroll: [{from: 0, steps: 4}]\niterations: 7");
+  const TrainingOptions o = load("extends: deep/second.yaml\nmodel: {dropout: 0.5}\noptimizer: {beta1: 0.5}");
+  EXPECT_EQ(o.model.preset, "small");
+  EXPECT_FALSE(o.model.contact_gate);
+  EXPECT_EQ(o.model.dropout, 0.5);
+  ASSERT_EQ(o.unroll.size(), 1U) << "a list is replaced as a whole";
+  EXPECT_EQ(o.unroll[0].steps, 4);
+  EXPECT_EQ(o.iterations, 7);
+  EXPECT_EQ(o.batch_size, 6);
+  EXPECT_EQ(o.loss.beta, 0.5);
+  EXPECT_EQ(o.optimizer.beta1, 0.5);
+  EXPECT_EQ(load_training_options(path_, {"iterations=9"}).iterations, 9);
+  EXPECT_EQ(load("extends: deep/second.yaml").iterations, 7);
+}
+
+TEST_F(TrainingOptionsTest, ExtendedFilesThatCannotBeReadAreNamed) {
+  const std::string other = (folder_.path() / "other.yaml").string();
+  write_text(other, "extends: train.yaml");
+  const std::string message = refusal("extends: other.yaml");
+  EXPECT_NE(message.find(path_.string() + " -> " + other + " -> " + path_.string()), std::string::npos) << message;
+  expect_refusal("extends: train.yaml", "leads back");
+  expect_refusal("extends: nowhere.yaml", (folder_.path() / "nowhere.yaml").string());
+  expect_refusal("extends: [other.yaml]", "'extends'");
+  write_text(other, "iteration: 5");
+  expect_refusal("extends: other.yaml", "unknown key 'iteration'");
+  write_text(other, "");
+  expect_refusal("extends: other.yaml", "no mapping");
+  write_text(other, "iterations: [");
+  expect_refusal("extends: other.yaml", other);
 }
 
 TEST_F(TrainingOptionsTest, AMissingFileIsNamed) {

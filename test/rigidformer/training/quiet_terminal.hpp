@@ -8,7 +8,7 @@
 
 namespace rigidformer {
 
-/// Progress lines do not belong into the output of a test: keeps what is written to std::cerr while it lives.
+/// Keeps what is written to std::cerr while it lives: progress lines do not belong into the output of a test.
 class QuietTerminal {
  public:
   QuietTerminal() : terminal_(std::cerr.rdbuf(text_.rdbuf())) {}

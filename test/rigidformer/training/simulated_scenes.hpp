@@ -9,7 +9,7 @@
 
 namespace rigidformer {
 
-/// A few scenes to learn from, the same every time.
+/// A few scenes to learn from, which are the same every time.
 inline const SceneArchive& simulated_scenes() {
   static const SceneArchive scenes = [] {
     SceneArchive archive;

@@ -19,7 +19,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr std::int64_t kIterations = 30;
+constexpr std::int64_t kIterations = 30;  // iterations of a run, enough to be cut in two; chosen by eye
 const std::string kConfigFile = std::string(RIGIDFORMER_SOURCE_DIR) + "/config/train/tiny.yaml";
 
 class TrainerTest : public ::testing::Test {
@@ -56,7 +56,7 @@ class TrainerTest : public ::testing::Test {
   const QuietTerminal quiet_;
 };
 
-// Mostly free flight: gravity is soon learned.
+// The windows show mostly free flight, in which gravity is soon learned.
 TEST_F(TrainerTest, AHundredIterationsLowerTheLoss) {
   options_.windows.mid_air_probability = options_.windows.floor_probability = 0.0;
   options_.iterations = 100;
@@ -92,7 +92,7 @@ TEST_F(TrainerTest, ResumedRunEqualsTheUninterruptedOneBitByBit) {
   const TensorFile whole = read_tensor_file(model_file("whole")), parts = read_tensor_file(model_file("parts"));
   ASSERT_EQ(parts.tensors.size(), whole.tensors.size());
   for (const auto& [name, tensor] : whole.tensors) EXPECT_EQ(parts.tensors.at(name).bytes, tensor.bytes) << name;
-  EXPECT_EQ(parts.metadata, whole.metadata);  // facts and hash too
+  EXPECT_EQ(parts.metadata, whole.metadata);  // the facts and the hash are the same too
 }
 
 TEST_F(TrainerTest, LeavesModelStateLogAndValidation) {
@@ -110,7 +110,7 @@ TEST_F(TrainerTest, LeavesModelStateLogAndValidation) {
     return std::string{std::istreambuf_iterator<char>(in), {}};
   };
   const std::string log = text_of("log.csv");
-  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2) << log;  // header and iteration 10
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2) << log;  // the header and iteration 10
   EXPECT_NE(text_of("validation.log").find("start 240"), std::string::npos);
   const TrainingFacts facts = load_checkpoint(out / "model.safetensors").facts;
   EXPECT_EQ(facts.data, "movi_a 3");

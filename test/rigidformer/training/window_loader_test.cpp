@@ -24,14 +24,14 @@ TEST(WindowLoader, AWindowDoesNotDependOnWhenItIsAssembled) {
   options.model.random_anchors = true;
   WindowLoader ahead(data, options);
   ahead.take({0, 2}, {1, 2});
-  torch::manual_seed(99);  // what others draw meanwhile
+  torch::manual_seed(99);  // others draw random numbers meanwhile
   torch::rand({7});
   const WindowBatch second = ahead.take({1, 2}, {2, 2});
   const WindowBatch alone = WindowLoader(data, options).take({1, 2}, {5, 1});
   EXPECT_TRUE(torch::equal(second.scene.points_reference, alone.scene.points_reference));
   EXPECT_TRUE(torch::equal(second.scene.anchor_index, alone.scene.anchor_index));
   EXPECT_TRUE(torch::equal(second.poses[3].translation, alone.poses[3].translation));
-  const WindowBatch third = ahead.take({3, 1}, {4, 1});  // not the one begun
+  const WindowBatch third = ahead.take({3, 1}, {4, 1});  // another window than the one that was begun
   EXPECT_EQ(third.poses.size(), 3u);
   EXPECT_TRUE(torch::equal(WindowLoader(data, options).take({3, 1}, {4, 1}).scene.points_reference,
                            third.scene.points_reference));

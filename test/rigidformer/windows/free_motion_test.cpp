@@ -12,7 +12,7 @@ namespace rigidformer {
 namespace {
 
 const auto kWide = torch::TensorOptions(torch::kFloat64);
-constexpr double kFrame_s = 1.0 / kFrameRateHz;
+constexpr double kFrame_s = 1.0 / kFrameRateHz;  // [s]
 
 /// One object that spins about z and follows height(t).
 template <typename Height>
@@ -45,7 +45,7 @@ TEST(FreeMotionDeparture, OfFreeFlightIsThePoseAStepBefore) {
 
 TEST(FreeMotionDeparture, WhatIsCarriedDoesNotFall) {
   const auto height = [](double) { return 0.5; };
-  expect_same(departure(10.0, 2.0, height), pose_at(-10.0 * kFrame_s, 2.0, height));  // rolls
+  expect_same(departure(10.0, 2.0, height), pose_at(-10.0 * kFrame_s, 2.0, height));  // the object rolls
   expect_same(departure(10.0, 0.0, height), pose_at(-10.0 * kFrame_s, 0.0, height));
 }
 
@@ -54,7 +54,7 @@ TEST(FreeMotionDeparture, AfterAnImpactTheNewVelocityCounts) {
   const Pose before = departure(10.0, 0.0, bounce);
   const Pose now = pose_at(0.0, 0.0, bounce);
   const double rise = (now.translation - before.translation)[0][0][2].item<double>();
-  EXPECT_NEAR(rise, 10.0 * 3.0 * kFrame_s, 0.01);  // up at 3 m/s, whatever it did before
+  EXPECT_NEAR(rise, 10.0 * 3.0 * kFrame_s, 0.01);  // it flies up at 3 m/s, whatever it did before
 }
 
 }  // namespace

@@ -8,12 +8,13 @@
 
 #include "rigidformer/data/example_archive.hpp"
 #include "rigidformer/model/random_scene.hpp"
+#include "rigidformer/model/scene_input.hpp"
 #include "window_scenes.hpp"
 
 namespace rigidformer {
 namespace {
 
-const std::vector<Window> kWindows = {{2, 7, 5}, {0, 0, 10}, {1, 20, 1}};  // 3, 1 and 2 objects
+const std::vector<Window> kWindows = {{2, 7, 5}, {0, 0, 10}, {1, 20, 1}};  // scenes of 3, 1 and 2 objects
 
 class WindowBatchTest : public ::testing::Test {
  protected:
@@ -27,11 +28,11 @@ class WindowBatchTest : public ::testing::Test {
   const SceneTensors tensors_ = make_scene_tensors({archive_}, {4, 256, 1});
 };
 
-Tensor valid_points(const SceneBatch& scene, int64_t b, int64_t k) {
+Tensor valid_points(const SceneBatch& scene, std::int64_t b, std::int64_t k) {
   return scene.points_reference[b][k].index({scene.point_mask[b][k]});
 }
 
-/// Which of the six faces of an axis-aligned cube of the given size points lie on.
+/// The faces of an axis-aligned cube of the given size, out of six, on which points lie.
 std::set<int> faces(const Tensor& points, double size) {
   std::set<int> found;
   for (int axis = 0; axis < 3; ++axis) {
@@ -46,7 +47,7 @@ std::set<int> faces(const Tensor& points, double size) {
 TEST_F(WindowBatchTest, PosesMatchTheRecording) {
   const WindowBatch batch = make(no_augmentation(32));
   ASSERT_EQ(batch.poses.size(), 4u);
-  for (int64_t b = 0; b < 3; ++b) {
+  for (std::int64_t b = 0; b < 3; ++b) {
     const Window& window = kWindows[static_cast<size_t>(b)];
     const SceneRecording& recording = archive_.scenes[static_cast<size_t>(window.scene)];
     for (int t = 0; t < 4; ++t) {
@@ -54,7 +55,7 @@ TEST_F(WindowBatchTest, PosesMatchTheRecording) {
         const RigidTransform& T =
             recording.objects[k].T_world_object[static_cast<size_t>(window.frame + t * window.step_size)];
         const Pose& pose = batch.poses[static_cast<size_t>(t)];
-        const auto row = static_cast<int64_t>(k);
+        const auto row = static_cast<std::int64_t>(k);
         for (int axis = 0; axis < 3; ++axis) {
           EXPECT_NEAR(pose.translation[b][row][axis].item<double>(), T.translation[axis], 1e-5);
           for (int other = 0; other < 3; ++other) {
@@ -86,12 +87,12 @@ TEST_F(WindowBatchTest, TheSurfaceHoldsAllThatIsSeen) {
   options.view_probability = 1.0;
   const SceneBatch scene = make(options).scene;
   const Tensor count = scene.surface_mask[0][2].sum();
-  EXPECT_GT(count.item<int64_t>(), 16);   // more than the network looks at ...
-  EXPECT_LT(count.item<int64_t>(), 256);  // ... and less than all sides
+  EXPECT_GT(count.item<std::int64_t>(), 16);   // more than the network looks at ...
+  EXPECT_LT(count.item<std::int64_t>(), 256);  // ... and less than all sides
   const Tensor seen = scene.surface_points[0][2].index({scene.surface_mask[0][2]});
   const Tensor looked_at = valid_points(scene, 0, 2);
-  EXPECT_LT(torch::cdist(looked_at, seen, 2.0, 2).amin(-1).max().item<double>(), 1e-6);  // noise and all
-  EXPECT_FALSE(scene.surface_mask[1][2].any().item<bool>());                             // no such object
+  EXPECT_LT(torch::cdist(looked_at, seen, 2.0, 2).amin(-1).max().item<double>(), 1e-6);  // with the same noise
+  EXPECT_FALSE(scene.surface_mask[1][2].any().item<bool>());                             // there is no such object
 }
 
 TEST_F(WindowBatchTest, SceneHoldsWhatWasRecorded) {
@@ -105,7 +106,7 @@ TEST_F(WindowBatchTest, SceneHoldsWhatWasRecorded) {
   EXPECT_TRUE(torch::equal(scene.properties[0][2], torch::tensor({2.0F, 0.4F, 0.6F})));
   EXPECT_TRUE(torch::equal(scene.properties_known[0], torch::ones({3, 3})));
   EXPECT_TRUE(torch::equal(scene.point_mask.any(-1), scene.object_mask));
-  for (int64_t k = 0; k < 3; ++k) {
+  for (std::int64_t k = 0; k < 3; ++k) {
     const Tensor points = valid_points(scene, 0, k);
     EXPECT_EQ(points.size(0), 32);
     EXPECT_LT(largest_difference(points.abs().amax(-1), torch::full({32}, 0.5 * (1.0 + static_cast<double>(k)))), 1e-5);
@@ -116,19 +117,19 @@ TEST_F(WindowBatchTest, SceneHoldsWhatWasRecorded) {
 TEST_F(WindowBatchTest, NumberOfPointsStaysWithinBounds) {
   AugmentationOptions options = no_augmentation(40);
   options.min_points = 10;
-  std::set<int64_t> counts;
+  std::set<std::int64_t> counts;
   for (int i = 0; i < 10; ++i) {
     const SceneBatch scene = make(options).scene;
     EXPECT_EQ(scene.max_points(), 40);
     const Tensor count = scene.point_mask.sum(-1);
-    for (int64_t b = 0; b < 3; ++b) {
-      for (int64_t k = 0; k < 3; ++k) {
+    for (std::int64_t b = 0; b < 3; ++b) {
+      for (std::int64_t k = 0; k < 3; ++k) {
         if (!scene.object_mask[b][k].item<bool>()) continue;
-        const auto n = count[b][k].item<int64_t>();
+        const auto n = count[b][k].item<std::int64_t>();
         counts.insert(n);
         ASSERT_TRUE(n >= 10 && n <= 40) << n;
-        EXPECT_TRUE(scene.point_mask[b][k].slice(0, 0, n).all().item<bool>());  // valid ones first
-        EXPECT_LT(scene.anchor_index[b][k].max().item<int64_t>(), n);
+        EXPECT_TRUE(scene.point_mask[b][k].slice(0, 0, n).all().item<bool>());  // the valid points come first
+        EXPECT_LT(scene.anchor_index[b][k].max().item<std::int64_t>(), n);
       }
     }
   }
@@ -139,7 +140,7 @@ TEST_F(WindowBatchTest, VertexWindowsHoldTheMeshVertices) {
   AugmentationOptions options = no_augmentation(32);
   options.vertex_probability = 1.0;
   const SceneBatch scene = make(options).scene;
-  const Tensor points = valid_points(scene, 0, 1);  // size 2
+  const Tensor points = valid_points(scene, 0, 1);  // the cube of size 2
   EXPECT_EQ(points.size(0), 8);
   EXPECT_LT(largest_difference(points.abs(), torch::ones({8, 3})), 1e-6);
 }
@@ -190,7 +191,7 @@ TEST_F(WindowBatchTest, ViewsShowOnlySidesThatFaceOneCamera) {
   std::set<std::set<int>> views;
   for (int i = 0; i < 10; ++i) {
     const SceneBatch scene = make(options).scene;
-    for (int64_t k = 0; k < 3; ++k) {
+    for (std::int64_t k = 0; k < 3; ++k) {
       const std::set<int> seen = faces(valid_points(scene, 0, k), 1.0 + static_cast<double>(k));
       EXPECT_GE(seen.size(), 1u);
       for (int axis = 0; axis < 3; ++axis) EXPECT_LT(seen.count(2 * axis) + seen.count(2 * axis + 1), 2u);
@@ -198,7 +199,7 @@ TEST_F(WindowBatchTest, ViewsShowOnlySidesThatFaceOneCamera) {
     }
   }
   EXPECT_GT(views.size(), 2u);
-  options.vertex_probability = 1.0;  // one side of a cube has seven corners: too few, so all eight stay
+  options.vertex_probability = 1.0;  // one side of a cube has seven corners: too few, so that all eight stay
   EXPECT_EQ(valid_points(make(options).scene, 0, 0).size(0), 8);
 }
 
@@ -208,8 +209,27 @@ TEST_F(WindowBatchTest, TheWholeSurfaceHasTheSidesThatNobodySees) {
   options.noise_m = 0.01;
   const WindowBatch batch = make(options);
   const Tensor whole = batch.whole_surface[0][2].index({batch.whole_mask[0][2]});
-  EXPECT_EQ(faces(whole, 3.0).size(), 6u);  // and no noise
+  EXPECT_EQ(faces(whole, 3.0).size(), 6u);  // without noise
   EXPECT_FALSE(batch.whole_mask[1][2].any().item<bool>()) << "no such object";
+}
+
+TEST_F(WindowBatchTest, NormalsAreWhatAPredictorMakesOfTheSamePoints) {
+  AugmentationOptions options = no_augmentation(256);  // all points of the sets
+  const SceneBatch scene = make(options).scene;
+  ModelOptions model = contact_aware(model_preset("tiny"));
+  for (std::int64_t k = 0; k < 3; ++k) {
+    const Tensor points = valid_points(scene, 0, k).contiguous();
+    ObjectState object;
+    object.points_reference = Eigen::Map<const Points>(points.data_ptr<float>(), points.size(0), 3);
+    const SceneBatch seen = make_scene_input({object}, {}, model, 256).batch;
+    const Tensor normals = scene.normals_reference[0][k].index({scene.point_mask[0][k]});
+    EXPECT_LT(largest_difference(seen.normals_reference[0][0].index({seen.point_mask[0][0]}), normals), 1e-3);
+    EXPECT_LT(largest_difference(normals.norm(2, -1), torch::ones({points.size(0)})), 1e-5);
+  }
+  options.vertex_probability = 1.0;
+  const SceneBatch corners = make(options).scene;
+  const Tensor diagonals = valid_points(corners, 0, 0) / (0.5 * std::sqrt(3.0));
+  EXPECT_LT(largest_difference(corners.normals_reference[0][0].slice(0, 0, 8), diagonals), 1e-3);
 }
 
 TEST_F(WindowBatchTest, NoStepsMeansTheTwoGivenPoses) {
@@ -234,7 +254,7 @@ TEST_F(WindowBatchTest, PermutationMovesObjectsWithEverythingTheyHave) {
     const WindowBatch batch = make(options);
     EXPECT_TRUE(torch::equal(batch.scene.object_mask.sum(-1), torch::tensor({3, 1, 2}, torch::kInt64)));
     std::vector<int> order;
-    for (int64_t k = 0; k < 3; ++k) {
+    for (std::int64_t k = 0; k < 3; ++k) {
       const double size = 2.0 * valid_points(batch.scene, 0, k).abs().max().item<double>();
       order.push_back(static_cast<int>(std::lround(size)) - 1);
       const double start_x = 3.0 * order.back() + order.back() * 7 / 240.0;
@@ -271,38 +291,14 @@ TEST_F(WindowBatchTest, SameSeedSameBatch) {
 TEST_F(WindowBatchTest, AnchorsStartAtRandomPointsWhenAsked) {
   AugmentationOptions options = no_augmentation(64);
   options.vertex_probability = 1.0;  // the same points every time
-  std::set<int64_t> fixed, random;
+  std::set<std::int64_t> fixed, random;
   for (int i = 0; i < 20; ++i) {
-    fixed.insert(make(options).scene.anchor_index[0][0][0].item<int64_t>());
+    fixed.insert(make(options).scene.anchor_index[0][0][0].item<std::int64_t>());
     random.insert(
-        make_window_batch(tensors_, kWindows, 1, 4, options, true).scene.anchor_index[0][0][0].item<int64_t>());
+        make_window_batch(tensors_, kWindows, 1, 4, options, true).scene.anchor_index[0][0][0].item<std::int64_t>());
   }
   EXPECT_EQ(fixed.size(), 1u);
   EXPECT_GT(random.size(), 3u);
-}
-
-TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
-  const SceneTensors tensors = make_scene_tensors({flying_cubes_archive({1, 3}, 20), example_archive(20)}, {3, 50, 1});
-  EXPECT_EQ(tensors.num_scenes(), 4);
-  EXPECT_EQ(tensors.num_frames(), 20);
-  EXPECT_EQ(tensors.max_objects(), 3);
-  EXPECT_EQ(tensors.object_counts(), (std::vector<int64_t>{1, 3, 1, 2}));
-  EXPECT_EQ(tensors.shape_points.sizes(), (std::vector<int64_t>{2, 3, 50, 3}));
-  EXPECT_TRUE(torch::equal(tensors.shape_point_count, torch::tensor({{8, 50, 50}, {4, 50, 50}}, torch::kInt64)));
-  EXPECT_EQ(tensors.shape[2][0].item<int64_t>(), 1);  // second archive, own shapes
-  EXPECT_NEAR(tensors.gravity[3].item<double>(), -9.0, 1e-6);
-  EXPECT_FALSE(torch::equal(tensors.shape_points[0][1], tensors.shape_points[0][2]));
-  const Tensor corner_normals = tensors.shape_normals[0][0].slice(0, 0, 8), corners = tensors.shape_points[0][0];
-  EXPECT_LT(largest_difference(corner_normals.sign(), corners.slice(0, 0, 8).sign()), 1e-6) << "outwards";
-  EXPECT_LT(largest_difference(tensors.shape_normals.slice(1, 1).norm(2, -1), torch::ones({2, 2, 50})), 1e-5);
-}
-
-TEST(SceneTensorsTest, RefusesNoScenesAndMixedLengths) {
-  EXPECT_THROW(make_scene_tensors({}, {}), std::invalid_argument);
-  const std::string error = error_of([] {
-    make_scene_tensors({flying_cubes_archive({1}, 20), flying_cubes_archive({1}, 21)}, {});
-  });
-  EXPECT_NE(error.find("21"), std::string::npos) << error;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kFrames = 100;
+constexpr int kFrames = 100;  // frames of every scene
 
 bool same(const Window& a, const Window& b) {
   return a.scene == b.scene && a.frame == b.frame && a.step_size == b.step_size;
@@ -48,7 +48,7 @@ TEST(WindowSamplerTest, WindowsFitIntoTheScene) {
   }
   EXPECT_EQ(scenes, (std::set<int>{0, 1, 2, 3}));
   EXPECT_EQ(*frames.begin(), 0);
-  EXPECT_EQ(*frames.rbegin(), kFrames - 3);  // the last window of the smallest step
+  EXPECT_EQ(*frames.rbegin(), kFrames - 3);  // start of the last window of the smallest step size
 }
 
 TEST(WindowSamplerTest, KindsAreDrawnAsOftenAsAskedFor) {
@@ -58,7 +58,7 @@ TEST(WindowSamplerTest, KindsAreDrawnAsOftenAsAskedFor) {
   options.floor_probability = 0.2;
   options.rolling_probability = 0.3;
   options.resting_probability = 0.4;
-  // Every kind in a scene of its own: the scene tells the kind.
+  // Every kind lies in a scene of its own, so that the scene tells the kind.
   const WindowSampler draws = sampler(options, {{{0, 50}}, {{1, 50}}, {{2, 50}}, {{3, 50}}});
   std::mt19937_64 random(9);
   std::vector<double> share(4, 0.0);
@@ -84,7 +84,7 @@ TEST(WindowSamplerTest, StepSizesComeFromTheList) {
   options.step_sizes = {40};
   options.any_step_probability = 0.0;
   EXPECT_EQ(sampler(options).draw(1, random).step_size, 40);
-  EXPECT_EQ(sampler(options).draw(8, random).step_size, 11);  // ten frames must fit
+  EXPECT_EQ(sampler(options).draw(8, random).step_size, 11);  // ten frames must fit into the scene
 }
 
 TEST(WindowSamplerTest, EventsLieInThePredictedPart) {
@@ -106,7 +106,7 @@ TEST(WindowSamplerTest, EventsLieInThePredictedPart) {
         if (window.scene == 2 && num_steps == 4) seen.emplace(2, (event - window.frame) / window.step_size);
       }
     }
-    EXPECT_EQ(seen.size(), mid_air ? 4u : 0u);  // any of the predicted steps
+    EXPECT_EQ(seen.size(), mid_air ? 4u : 0u);  // the event lies in any of the predicted steps
   }
 }
 
@@ -129,12 +129,12 @@ TEST(WindowSamplerTest, BatchesFollowFromSeedAndIteration) {
 }
 
 TEST(WindowSamplerTest, BatchesHoldScenesOfSimilarSize) {
-  const std::vector<int64_t> counts = {3, 1, 4, 2};
+  const std::vector<std::int64_t> counts = {3, 1, 4, 2};
   const WindowSampler draws = sampler({});
   double spread_in_batches = 0.0;
   std::set<int> scenes;
   for (std::int64_t iteration = 0; iteration < 40; ++iteration) {
-    int64_t least = 99, most = 0;
+    std::int64_t least = 99, most = 0;
     for (const Window& window : draws.draw_batch(10, 1, 5, iteration)) {
       scenes.insert(window.scene);
       least = std::min(least, counts[static_cast<size_t>(window.scene)]);
@@ -143,7 +143,7 @@ TEST(WindowSamplerTest, BatchesHoldScenesOfSimilarSize) {
     spread_in_batches += static_cast<double>(most - least) / 40.0;
   }
   EXPECT_EQ(scenes.size(), 4u);
-  EXPECT_LT(spread_in_batches, 1.0);  // 3 for batches of ten random windows
+  EXPECT_LT(spread_in_batches, 1.0);  // it is 3 for batches of ten random windows
 }
 
 TEST(WindowSamplerTest, BadOptionsAreRefusedByName) {
@@ -174,8 +174,8 @@ class ContactEventsTest : public ::testing::Test {
     return find_contact_events(make_scene_tensors({archive}, {2, 16, 1}));
   }
 
-  static constexpr double kImpact = 60 / 240.0;  // [s]
-  static constexpr double kGravity = -10.0;
+  static constexpr double kImpact = 60 / 240.0;  // [s] instant of the impact
+  static constexpr double kGravity = -10.0;      // [m/s^2]
 };
 
 TEST_F(ContactEventsTest, FreeFlightHasNone) {

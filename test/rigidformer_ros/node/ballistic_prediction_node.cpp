@@ -3,7 +3,7 @@
 #include <ros/init.h>
 
 #include "rigidformer_ros/ballistic_predictor.hpp"
-#include "rigidformer_ros/prediction_node.hpp"
+#include "rigidformer_ros/node/prediction_node.hpp"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "prediction_node");

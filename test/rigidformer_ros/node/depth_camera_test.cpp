@@ -11,7 +11,7 @@
 namespace rigidformer_ros::testing {
 namespace {
 
-/// The first scene of the camera as the node foresaw it and as it was.
+/// The first scene of the camera: all forecasts of it, and its true motion.
 class WatchedScene {
  public:
   WatchedScene() {
@@ -28,7 +28,7 @@ class WatchedScene {
 
   bool is_over() const { return is_over_; }
 
-  /// True pose at `stamp`; empty outside the scene.
+  /// The true pose of an object at `stamp`. The result is empty before and after the scene and for unknown objects.
   std::optional<RigidTransform> pose(const std::string& id, const ros::Time& stamp) const {
     const double at = (stamp - truth_->header.stamp).toSec() / truth_->time_step;
     const auto object = std::find_if(truth_->objects.begin(), truth_->objects.end(),

@@ -10,7 +10,7 @@
 
 namespace rigidformer_ros::testing {
 
-/// What the node said last about each of its diagnostic tasks.
+/// Keeps what the node said last about each of its diagnostic tasks.
 class DiagnosticsClient {
  public:
   DiagnosticsClient() {
@@ -29,7 +29,7 @@ class DiagnosticsClient {
   int level(const std::string& task) const { return knows(task) ? statuses_.at(task).level : -1; }
   std::string message(const std::string& task) const { return knows(task) ? statuses_.at(task).message : ""; }
 
-  /// Empty when there is no such value.
+  /// The value of a task; the text is empty when there is no such value.
   std::string value(const std::string& task, const std::string& key) const {
     if (knows(task)) {
       for (const diagnostic_msgs::KeyValue& entry : statuses_.at(task).values) {
@@ -41,7 +41,7 @@ class DiagnosticsClient {
     return "";
   }
 
-  /// -1 when there is no such value.
+  /// The value of a task as a number; it is -1 when there is no such value.
   int number(const std::string& task, const std::string& key) const {
     const std::string text = value(task, key);
     return text.empty() ? -1 : std::stoi(text);

@@ -26,7 +26,7 @@ Rollout::Request request_about(const std::string& id, std::uint32_t num_steps = 
   return request;
 }
 
-/// Clients that call the service one request after another until they are stopped.
+/// Clients that all call the service, each one request after another, until they are stopped.
 class Storm {
  public:
   Storm(int num_clients, const Rollout::Request& request) {
@@ -49,7 +49,7 @@ class Storm {
     return codes_[code];
   }
 
-  /// Answers by code.
+  /// Stops the clients and gives the number of their answers by error code.
   std::map<std::int32_t, int> stop() {
     stopping_ = true;
     for (std::thread& thread : threads_) {
@@ -154,6 +154,7 @@ TEST_F(FaultyNodeTest, P22_clouds_and_forecasts_flow_through_a_storm_of_requests
   client.stream({{"good", high_flight()}}, 3);
   ASSERT_TRUE(client.wait_until([&] { return diagnostics.number("input", "clouds received") >= 3; }));
   const int lost_before = diagnostics.number("input", "clouds overwritten in a queue");
+  // Number of frames sent; chosen by eye. At 30 Hz they take 1.5 s.
   constexpr int kFrames = 45;
   Storm storm(8, request_about("slow", 16));
   ASSERT_TRUE(client.wait_until([&] { return storm.count(Response::BUSY) > 0; }));
@@ -202,7 +203,7 @@ TEST_F(FaultyNodeTest, P23_waiting_for_others_counts_towards_the_wall_time) {
   }));
 }
 
-// The long rollout takes 50 jobs of 50 ms at least.
+// The long rollout takes 2.5 s at least: it has 50 jobs of 50 ms.
 TEST_F(FaultyNodeTest, P23_a_short_request_is_answered_while_a_long_one_is_under_way) {
   for (const char* about : {"slow", "good"}) {
     std::atomic<bool> long_one_is_answered{false};
@@ -219,7 +220,7 @@ TEST_F(FaultyNodeTest, P23_a_short_request_is_answered_while_a_long_one_is_under
   }
 }
 
-// The forecast is still in progress when it is reported: three calls of a second each.
+// The forecast is still in progress when it is reported, because it needs three calls of a second each.
 TEST_F(FaultyNodeTest, AForecastThatHangsIsReportedWhileItHangs) {
   ASSERT_TRUE(client.wait_until([&] { return diagnostics.level("timing") == diagnostic_msgs::DiagnosticStatus::OK; }));
   client.stream({{"hangs", high_flight()}}, 3);

@@ -24,7 +24,7 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// A body that hovers and turns, so that it can be watched for as long as the test takes.
+/// The motion of a body that hovers and turns, so that it can be watched for as long as the test takes.
 Flight hovering() {
   Flight flight;
   flight.velocity.setZero();
@@ -45,7 +45,8 @@ class HostileInputTest : public ::testing::Test {
 
   Points points_at(const ros::Time& stamp) const { return hovering().pose((stamp - start).toSec()).apply(blob()); }
 
-  // Publishes what `spoil` makes of the clouds of object `id`, beside clouds of "good", until the log says `reason`.
+  // Publishes clouds of the object `id` that `spoil` has changed, and whole clouds of "good" beside them, until the log
+  // says that clouds were rejected for this reason. Returns false if it never does.
   bool counted(const std::string& id, const std::string& reason,
                const std::function<void(sensor_msgs::PointCloud2&)>& spoil) {
     log.clear();
@@ -78,7 +79,7 @@ class HostileInputTest : public ::testing::Test {
   ros::Time start;
 };
 
-// Every second number of the clouds becomes `value`; `is_dense` claims that there are no such points.
+// Sets x of every second point to `value`, while `is_dense` claims that all points are finite.
 void spoil_half(sensor_msgs::PointCloud2& cloud, float value) {
   for (std::size_t i = 0; i < cloud.width; i += 2) {
     std::memcpy(cloud.data.data() + i * cloud.point_step, &value, sizeof(value));
@@ -143,7 +144,7 @@ TEST_F(HostileInputTest, NothingListensBeyondThePortsOfRoscpp) {
   EXPECT_EQ(count_sockets(process, "udp", "07"), 1) << "roscpp's port for topics over UDP";
 }
 
-// Exit code of the node when its parameter `name` is `value`, and what it printed.
+// Runs the node with the parameter `name` set to `value`. Returns its exit code and what it printed.
 std::pair<int, std::string> start_node_with(const std::string& name, const XmlRpc::XmlRpcValue& value) {
   const std::string folder = std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
   ros::param::set("/wrong_node/" + name, value);

@@ -9,14 +9,14 @@
 
 namespace rigidformer_ros::testing {
 
-/// Waiting times and their distribution.
+/// A collection of waiting times [s] that can describe their distribution.
 class Latencies {
  public:
   void add(double seconds) { seconds_.push_back(seconds); }
   void add(const Latencies& other) { seconds_.insert(seconds_.end(), other.seconds_.begin(), other.seconds_.end()); }
   std::size_t size() const { return seconds_.size(); }
 
-  /// One line: number, p50, p99 and maximum [ms].
+  /// One line with the number of waiting times, their median, their 99th percentile and the longest [ms].
   std::string describe() const {
     if (seconds_.empty()) {
       return "none";

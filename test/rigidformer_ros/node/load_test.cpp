@@ -18,10 +18,12 @@
 namespace rigidformer_ros::testing {
 namespace {
 
+// Number of planners; chosen by eye. load.test lets 16 requests wait, so none of them may be refused.
 constexpr int kClients = 8;
-constexpr double kFramePeriod = 1.0 / 30.0;  // [s]
+// [s] between two frames, as from a camera of 30 Hz.
+constexpr double kFramePeriod = 1.0 / 30.0;
 
-// A planner that asks again and again until it is told to stop.
+// A planner that calls the service without a pause until it is told to stop.
 struct Planner {
   explicit Planner(const std::atomic<bool>& stop)
       : thread([this, &stop] {
@@ -67,7 +69,7 @@ class LoadTest : public ::testing::Test {
     }
   }
 
-  // Clouds of all objects at 30 Hz for `seconds` of wall time.
+  // Publishes clouds of all objects at 30 Hz for `seconds` seconds.
   void stream(double seconds) {
     const Points points = blob(4016);
     const ros::Time start = ros::Time::now();
@@ -82,7 +84,8 @@ class LoadTest : public ::testing::Test {
     }
   }
 
-  // Planners are refused while an object's velocity is unknown: a slow node needs more than a few frames.
+  // Streams until all objects are in a forecast. Planners are refused while the velocity of an object is unknown, and a
+  // slow node needs more than a few frames to know them all.
   void stream_until_all_are_forecast() {
     for (int attempt = 0; attempt < 50 && client.last_forecast.objects.size() < flights.size(); ++attempt) {
       stream(0.3);

@@ -10,7 +10,8 @@
 namespace rigidformer_ros::testing {
 namespace {
 
-// The node in this namespace is up, not ready, and says so in words that contain `reason`.
+// Expects that the node in the namespace `ns` is up but not ready, and that its services say so in a text that contains
+// `reason`.
 void expect_not_ready(const std::string& ns, const std::string& reason) {
   const auto names_the_reason = [&] {
     GetModelInfo info;

@@ -9,7 +9,7 @@
 namespace rigidformer_ros::testing {
 namespace {
 
-// A body that would lie on the ground z = 0 after a third of the forecast: without ground it goes on falling.
+// A ground at z = 0 would stop the body after a third of the forecast. Without ground it must go on falling.
 TEST(NoGround, ObjectsFallPastTheHeightOfTheMissingGround) {
   NodeClient client;
   const auto ready = [] {

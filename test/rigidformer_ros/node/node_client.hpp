@@ -15,8 +15,8 @@
 #include <map>
 #include <string>
 
-#include "rigidformer_ros/cloud_conversion.hpp"
-#include "rigidformer_ros/conversions.hpp"
+#include "rigidformer_ros/messages/cloud_conversion.hpp"
+#include "rigidformer_ros/messages/conversions.hpp"
 #include "rigidformer_ros/test_scene.hpp"
 
 namespace rigidformer_ros::testing {
@@ -31,7 +31,7 @@ inline sensor_msgs::PointCloud2 stamped_cloud(const Points& points, const ros::T
   return cloud;
 }
 
-/// Plays the perception pipeline and the planner of a running node.
+/// Plays the perception pipeline and the planner for a running node.
 class NodeClient {
  public:
   NodeClient() {
@@ -41,7 +41,7 @@ class NodeClient {
     });
   }
 
-  /// Publisher of an object's clouds, once the node listens to it.
+  /// The publisher of an object's clouds. The function returns when the node listens to it.
   ros::Publisher& object(const std::string& id) {
     auto [entry, is_new] = objects_.try_emplace(id);
     if (is_new) {
@@ -67,7 +67,8 @@ class NodeClient {
   static Rollout::Response call(const Rollout::Request& request) {
     Rollout service;
     service.request = request;
-    // Persistent: roscpp closes other connections behind the answer, and its client then sometimes loses it.
+    // The connection is persistent: roscpp closes other connections behind the answer, and its client then sometimes
+    // loses the answer.
     ros::ServiceClient connection = ros::NodeHandle().serviceClient<Rollout>("predict_rollout", /*persistent=*/true);
     EXPECT_TRUE(connection.call(service)) << "the handler must always return true";
     return service.response;
@@ -104,15 +105,15 @@ class NodeClient {
     ASSERT_TRUE(ros::service::waitForService("reset", ros::Duration(-1)));
     ASSERT_TRUE(ros::service::call("reset", service));
     EXPECT_TRUE(service.response.success);
-    wait_until([] { return false; }, 0.2);  // forecasts of the old state that are still on the way
+    wait_until([] { return false; }, 0.2);  // Forecasts of the old state may still be on their way.
     num_forecasts = 0;
     last_forecast = SceneForecast();
   }
 
   int num_forecasts = 0;
   SceneForecast last_forecast;
-  ros::Time flight_start;  ///< Of the newest stream
-  ros::Time last_stamp;    ///< Likewise
+  ros::Time flight_start;  ///< When the newest stream began, which is time 0 of its flights
+  ros::Time last_stamp;    ///< Stamp of the last clouds of the newest stream
 
  private:
   ros::NodeHandle node_;
@@ -120,7 +121,8 @@ class NodeClient {
   std::map<std::string, ros::Publisher> objects_;
 };
 
-/// Largest distance [m] of any predicted point from where the flight really takes it. `flight_start` is its time 0.
+/// The largest distance [m] of any predicted point from the place to which the flight really takes it. The flight's
+/// time 0 is `flight_start`.
 inline double largest_error(const SceneForecast& forecast, const std::string& id, const Flight& flight,
                             const ros::Time& flight_start) {
   for (const ObjectForecast& object : forecast.objects) {
@@ -141,8 +143,8 @@ inline double largest_error(const SceneForecast& forecast, const std::string& id
   return -1.0;
 }
 
-/// How far a body that turned by `angle` [rad] has drifted when a point one metre from its centre of mass was taken for
-/// the centre: that point leaves along its tangent instead of around the circle.
+/// How far [m] a body that turned by `angle` [rad] has drifted in a forecast which took a point one metre from the
+/// centre of mass for the centre. Such a forecast moves that point along a tangent, while it really moves on a circle.
 inline double drift_of_wrong_centre(double angle) { return std::hypot(1.0 - std::cos(angle), angle - std::sin(angle)); }
 
 }  // namespace rigidformer_ros::testing

@@ -14,6 +14,7 @@
 #include "rigidformer_ros/node/node_client.hpp"
 #include "rigidformer_ros/node/node_process.hpp"
 #include "rigidformer_ros/node/rollout_requests.hpp"
+#include "rigidformer_ros/parameters/parameters.hpp"
 
 namespace rigidformer_ros::testing {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using visualization_msgs::Marker;
 
+// Full name of the node in node_health.test.
 constexpr char kNode[] = "/prediction_node";
 
 geometry_msgs::TransformStamped camera_at(const std::string& frame, const RigidTransform& T_world_camera) {
@@ -94,7 +96,7 @@ TEST_F(NodeHealthTest, P05_a_missing_transform_is_named_and_its_arrival_is_enoug
   EXPECT_TRUE(client.wait_until([&] { return diagnostics.level("tf") == DiagnosticStatus::OK; }));
 }
 
-// The model lets everything fall; what slides on shows its error exactly: that of k steps of free fall.
+// The model lets everything fall, but the object slides. The error of step k is therefore exactly k steps of free fall.
 TEST_F(NodeHealthTest, ForecastsAreComparedWithWhatWasThenObserved) {
   ForecastError error;
   const auto errors = node.subscribe<ForecastError>("forecast_error", 10, [&](const auto& m) { error = *m; });
@@ -179,7 +181,7 @@ TEST_F(NodeHealthTest, P28_no_transform_is_published) {
   EXPECT_EQ(topics.count("/tf_static"), 0U);
 }
 
-// Twenty clouds of 1.7 MB are more than the buffers between the two processes hold.
+// The node sends 20 clouds of 1.7 MB to the sleeper: more than the buffers between the two processes hold.
 TEST_F(NodeHealthTest, P29_a_subscriber_that_sleeps_holds_nobody_up) {
   const int pid = node_pid("/sleeper");
   ASSERT_GT(pid, 0);

@@ -19,7 +19,7 @@
 
 namespace rigidformer_ros::testing {
 
-/// Process id of a running node, as the node itself says; -1 when it does not answer.
+/// The process id of a running node, as the node itself states it. It is -1 when the node does not answer.
 inline int node_pid(const std::string& name) {
   XmlRpc::XmlRpcValue request;
   XmlRpc::XmlRpcValue response;
@@ -53,10 +53,10 @@ inline int num_threads_of(int pid) {
   return threads;
 }
 
-/// Index into what the master calls its state.
+/// What a node is for a topic. The numbers are indices into the lists that the master's getSystemState returns.
 enum class Role { kPublisher = 0, kSubscriber = 1 };
 
-/// Topics that a node publishes or subscribes to.
+/// The topics for which a node has this role.
 inline std::set<std::string> topics_of(const std::string& node, Role role) {
   XmlRpc::XmlRpcValue request;
   XmlRpc::XmlRpcValue response;
@@ -79,7 +79,7 @@ inline std::set<std::string> topics_of(const std::string& node, Role role) {
 
 inline std::set<std::string> topics_published_by(const std::string& node) { return topics_of(node, Role::kPublisher); }
 
-/// Resident memory of a process [bytes].
+/// The resident memory of a process [bytes].
 inline double resident_bytes(int process) {
   std::ifstream in("/proc/" + std::to_string(process) + "/statm");
   double total_pages = 0.0;
@@ -90,7 +90,8 @@ inline double resident_bytes(int process) {
   return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Internet sockets of a process in the state `state` of /proc/net: "0A" = TCP that listens, "07" = UDP that is bound.
+/// The number of internet sockets of a process that have the given state in /proc/net. "0A" is a TCP socket that
+/// listens, "07" a UDP socket that is bound.
 inline int count_sockets(int process, const std::string& protocol, const std::string& state) {
   const std::string folder = "/proc/" + std::to_string(process);
   std::set<std::string> inodes;

@@ -13,7 +13,7 @@
 namespace rigidformer_ros::testing {
 namespace {
 
-/// One of the two, in its namespace.
+/// The connection to one of the two, the node or the nodelet, in its namespace.
 struct Side {
   explicit Side(const std::string& ns) : node(ns) {
     clouds = node.advertise<sensor_msgs::PointCloud2>("objects/a/points", 10);
@@ -30,10 +30,10 @@ struct Side {
   ros::NodeHandle node;
   ros::Publisher clouds;
   ros::Subscriber subscriber;
-  std::map<ros::Time, SceneForecast> forecasts;  ///< By t0
+  std::map<ros::Time, SceneForecast> forecasts;  ///< All forecasts by their t0
 };
 
-// Names relative to the node, apart from where it is.
+// The names of the node's topics without its namespace, so that those of two namespaces can be compared.
 std::set<std::string> relative_topics(const std::string& ns, const std::string& node) {
   std::set<std::string> topics;
   for (const std::string& topic : topics_published_by(node)) {
@@ -69,7 +69,7 @@ TEST(Nodelet, GivesTheForecastsOfTheNode) {
   for (const char* topic : {"forecast", "markers", "forecast_error", "predicted_poses", "paths/a"}) {
     EXPECT_EQ(topics.count(topic), 1U) << topic;
   }
-  // A nodelet's topics are those of its manager's process.
+  // The master counts the topics of a nodelet as those of its manager, because they share a process.
   const std::set<std::string> of_manager = relative_topics("/as_nodelet", "/as_nodelet/prediction_manager");
   for (const std::string& topic : topics) {
     EXPECT_EQ(of_manager.count(topic), 1U) << topic;

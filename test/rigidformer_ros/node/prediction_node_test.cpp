@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <rosgraph_msgs/Log.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -16,24 +17,25 @@ class PredictionNodeTest : public ::testing::Test {
  protected:
   void SetUp() override { client.start_afresh(); }
 
-  // The node keeps the last state for `max_state_age`.
+  // Streams clouds of the flights. Requests can be about the last state for `max_state_age` afterwards.
   void stream(const std::map<std::string, Flight>& flights, int frames = 18) {
     client.stream(flights, frames);
     flight_start = client.flight_start;
     last_stamp = client.last_stamp;
   }
 
-  // The default request, with patience for slow machines.
+  // The default request, except that it accepts an older state: on a slow machine it may come late.
   static Rollout::Request request() {
     Rollout::Request r;
     r.max_state_age = ros::Duration(30.0);
     return r;
   }
 
-  // Stamps of 1 ns and float32 points leave millimetres after a second.
+  // [m]. Stamps are rounded to nanoseconds and points to float32; after a second that makes errors of millimetres.
   static constexpr double kTolerance_m = 0.003;
 
-  // What the predictor's error of the centre of mass makes of the spinning flight after this time.
+  // The error [m] that the spinning flight has after this time because the predictor knows the centre of mass only to
+  // `centre_of_mass_error` [m].
   static double drift_m(double seconds) {
     const double angle = high_flight().angular_velocity.norm() * seconds;
     return ros::param::param("~centre_of_mass_error", 0.0) * drift_of_wrong_centre(angle);
@@ -65,7 +67,7 @@ TEST_F(PredictionNodeTest, P26_forecast_matches_the_parabola_at_the_stated_times
   }
 }
 
-// A predictor that has to guess the centre of mass from the cloud moves the wrong point along the parabola.
+// A predictor that has to guess the centre of mass from the cloud moves a wrong point along the parabola.
 TEST_F(PredictionNodeTest, ASpinningBodyDriftsByTheErrorOfItsCentreOfMassOnly) {
   stream({{"a", high_flight()}});
   ASSERT_TRUE(client.wait_until([&] { return client.last_forecast.header.stamp == last_stamp; }));
@@ -116,7 +118,7 @@ TEST_F(PredictionNodeTest, ReportsOnlyTheRequestedObjects) {
 TEST_F(PredictionNodeTest, StatelessQueryUsesTheGivenCloudsOnly) {
   stream({{"a", high_flight()}});
   Flight flight = high_flight();
-  flight.gravity = 0.0;  // up to the observation
+  flight.gravity = 0.0;  // Until the observation the object moves evenly, so its velocity is exactly known.
   Rollout::Request r;
   r.scene = scene_at(0.04, flight);
   r.previous_scene = scene_at(0.0, flight);
@@ -180,6 +182,65 @@ TEST_F(PredictionNodeTest, SurvivesEmptyAndMalformedClouds) {
   ASSERT_TRUE(response.success) << response.message;
   ASSERT_EQ(response.forecast.objects.size(), 1U);
   EXPECT_EQ(response.forecast.objects[0].id, "a");
+}
+
+// Twenty points in a row, one centimetre apart.
+Points wire() {
+  Points points = Points::Zero(20, 3);
+  points.col(0).setLinSpaced(0.0F, 0.19F);
+  return points;
+}
+
+TEST_F(PredictionNodeTest, P38_AnObjectThatCannotBePredictedIsSkippedAloneAndCounted) {
+  ros::NodeHandle node;
+  std::string log;
+  const ros::Subscriber log_messages = node.subscribe<rosgraph_msgs::Log>(
+      "/rosout", 100, [&](const rosgraph_msgs::Log::ConstPtr& message) { log += message->msg + '\n'; });
+  ros::Publisher& thin = client.object("thin");
+  const auto is_skipped = [&] {
+    const SceneForecast& forecast = client.last_forecast;
+    return forecast.objects.size() == 1 && forecast.objects[0].id == "a" &&
+           forecast.skipped_ids == std::vector<std::string>({"thin"}) &&
+           forecast.skip_reasons.at(0).find("line") != std::string::npos;
+  };
+  const bool was_skipped = client.wait_until([&] {
+    thin.publish(stamped_cloud(wire(), ros::Time::now()));
+    stream({{"a", high_flight()}}, 6);
+    return is_skipped();
+  });
+  EXPECT_TRUE(was_skipped);
+  EXPECT_TRUE(client.wait_until([&] { return log.find("Rejected, unusable object") != std::string::npos; })) << log;
+}
+
+TEST_F(PredictionNodeTest, P39_OnlyWhoAsksForAnUnusableObjectIsRefused) {
+  ros::Publisher& thin = client.object("thin");
+  stream({{"a", high_flight()}}, 17);
+  thin.publish(stamped_cloud(wire(), ros::Time::now()));
+  stream({{"a", high_flight()}}, 1);
+  Rollout::Request r = request();
+  r.object_ids = {"a", "thin"};
+  ASSERT_TRUE(client.wait_until([&] { return client.call(r).error_code == Response::INVALID_REQUEST; }));
+  const std::string message = client.call(r).message;
+  EXPECT_NE(message.find("object_ids[1]: 'thin'"), std::string::npos) << message;
+  EXPECT_NE(message.find("line"), std::string::npos) << message;
+  r.object_ids = {"a"};
+  EXPECT_NE(client.call(r).error_code, Response::INVALID_REQUEST);
+
+  Rollout::Request given = request();
+  given.scene = scene_at(0.0, high_flight());
+  const Response alone = client.call(given);
+  ASSERT_TRUE(alone.success) << alone.message;
+  given.scene.ids.insert(given.scene.ids.begin(), "thin");
+  given.scene.clouds.insert(given.scene.clouds.begin(), to_cloud(wire()));
+  const Response both = client.call(given);
+  ASSERT_TRUE(both.success) << both.message;
+  EXPECT_EQ(both.forecast.skipped_ids, std::vector<std::string>({"thin"}));
+  EXPECT_EQ(both.forecast.objects, alone.forecast.objects) << "the same bytes";
+  given.scene.ids.pop_back();
+  given.scene.clouds.pop_back();
+  const Response none = client.call(given);
+  EXPECT_EQ(none.error_code, Response::INVALID_REQUEST);
+  EXPECT_NE(none.message.find("'thin'"), std::string::npos) << none.message;
 }
 
 TEST_F(PredictionNodeTest, WaitsForAMissingTransform) {

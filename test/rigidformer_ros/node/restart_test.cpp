@@ -10,6 +10,7 @@
 namespace rigidformer_ros::testing {
 namespace {
 
+// Full name of the node in restart.test.
 constexpr char kNode[] = "/prediction_node";
 
 TEST(Restart, P30_a_killed_node_comes_back_without_stale_forecasts) {

@@ -14,18 +14,20 @@
 
 namespace rigidformer_ros::testing {
 
-/// Objects that appear, fly, change their number of points and vanish, seen by a camera that sometimes sends nonsense.
+/// A scene of objects that appear, fly, change their number of points and vanish. Its camera sometimes sends nonsense.
 /// The same seed gives the same clouds.
 class RestlessScene {
  public:
   explicit RestlessScene(unsigned seed) : random_(seed) {}
 
-  /// The clouds of one instant. A cloud that the node has to refuse is marked.
+  /// The cloud of one object at one instant.
   struct Cloud {
     std::string id;
     sensor_msgs::PointCloud2 message;
-    bool usable = true;
+    bool usable = true;  ///< False for a cloud that the node has to refuse
   };
+
+  /// The clouds of all objects at one instant. Instants must be asked for in order.
   std::vector<Cloud> clouds_at(const ros::Time& stamp) {
     come_and_go(stamp);
     std::vector<Cloud> clouds;
@@ -42,10 +44,11 @@ class RestlessScene {
     return clouds;
   }
 
-  /// As when time restarts: everything is new.
+  /// Removes all objects, as is needed when time restarts.
   void restart() { objects_.clear(); }
 
  private:
+  // Most objects at once; chosen by eye. BallisticPredictor takes 8.
   static constexpr int kMaxObjects = 6;
 
   struct Object {

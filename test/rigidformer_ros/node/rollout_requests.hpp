@@ -11,7 +11,7 @@ namespace rigidformer_ros::testing {
 
 using Response = Rollout::Response;
 
-/// Rises from 8 m and stays in the air for two seconds.
+/// A flight that rises from 8 m and is above z = 0 for 1.7 s.
 inline Flight high_flight(double x = 0.0) {
   Flight flight;
   flight.start = {x, 0.0, 8.0};
@@ -24,7 +24,7 @@ inline Flight without_spin(Flight flight) {
   return flight;
 }
 
-/// Slides along x without falling.
+/// A motion along x that does not fall.
 inline Flight sliding() {
   Flight flight = without_spin(high_flight());
   flight.velocity = {0.5, 0.0, 0.0};
@@ -32,7 +32,7 @@ inline Flight sliding() {
   return flight;
 }
 
-/// The flight's cloud at time `t` as the scene of a request, stamped 50 s + t.
+/// A scene for a request: the cloud of the flight at time `t` [s], stamped 50 s + `t`.
 inline ObjectClouds scene_at(double t, const Flight& flight) {
   ObjectClouds scene;
   scene.header.stamp = ros::Time(50.0 + t);
@@ -41,7 +41,7 @@ inline ObjectClouds scene_at(double t, const Flight& flight) {
   return scene;
 }
 
-/// A change that spoils a good request, the code it must get and a part of the sentence.
+/// A change that spoils a good request. The answer must have this code, and its message must contain `part`.
 struct BadRequest {
   const char* name;
   std::int32_t code;

@@ -9,12 +9,14 @@
 
 #include "rigidformer_ros/labelled_cloud_maker.hpp"
 #include "rigidformer_ros/node/node_client.hpp"
-#include "rigidformer_ros/object_publishers.hpp"
+#include "rigidformer_ros/outputs/object_publishers.hpp"
 
 namespace rigidformer_ros::testing {
 namespace {
 
+// [m]. Stamps are rounded to nanoseconds and points to float32; after a second that makes errors of millimetres.
 constexpr double kTolerance_m = 0.003;
+// Pose of the camera in the fixed frame: tilted, so that clouds which are not moved out of its frame are noticed.
 const RigidTransform kCamera{Eigen::Quaterniond(Eigen::AngleAxisd(-2.0, Eigen::Vector3d::UnitX())), {0.5, -4.0, 3.0}};
 
 geometry_msgs::TransformStamped transform(const RigidTransform& T, const std::string& child, const ros::Time& stamp) {
@@ -30,7 +32,8 @@ geometry_msgs::TransformStamped transform(const RigidTransform& T, const std::st
   return message;
 }
 
-// Scenes in the frame of a camera; the flights carry the object frames of a tracker, whose axes and origin are its own.
+// Publishes scenes in the frame of a camera. The poses of the flights are those of a tracker, whose object frames have
+// another origin and other axes than the node would choose.
 class SceneInputsTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -53,7 +56,8 @@ class SceneInputsTest : public ::testing::Test {
     }
   }
 
-  // One frame: two flying objects, a lift that rises evenly, a table that hangs in the air.
+  // Publishes one frame of a scene with two flying objects, a lift that rises evenly, a table that hangs in the air,
+  // and background.
   void publish_labelled(const ros::Time& stamp, double t) {
     const RigidTransform T_world_lift{Eigen::Quaterniond::Identity(), {5.0, 0.0, 1.0 + t}};
     const std::vector<std::pair<std::int64_t, Points>> parts{{1, flight(0.0).pose(t).apply(blob())},
@@ -137,7 +141,7 @@ TEST_F(SceneInputsTest, LabelledCloudWithFramesOfATracker) {
   EXPECT_NEAR(rise, client.last_forecast.times.back(), kTolerance_m) << "one metre per second, gravity or not";
 }
 
-// The object frames are those of the tracker: the first pose of a forecast is the newest one that it gave.
+// The object frames are those of the tracker, so the first pose of a forecast is the newest pose that the tracker gave.
 TEST_F(SceneInputsTest, ForecastsStartFromThePosesOfTheTracker) {
   ASSERT_TRUE(client.wait_until([&] { return labelled.getNumSubscribers() > 0; }));
   stream([this](const ros::Time& stamp, double t) { publish_labelled(stamp, t); });
@@ -159,14 +163,14 @@ TEST_F(SceneInputsTest, P05_ALostTrackerLosesTheObjectUntilItIsBack) {
   sensor_msgs::PointCloud2 message = LabelledCloudMaker().make(in_camera(blob()), std::vector<std::int64_t>(30, 77));
   message.header.frame_id = "camera";
   message.header.stamp = ros::Time::now();
-  labelled.publish(message);  // nobody ever said where track_obj_77 is
+  labelled.publish(message);  // The tracker never says where the frame track_obj_77 is.
   EXPECT_FALSE(client.wait_until([&] { return client.num_forecasts > 0; }, 0.5));
   stream([this](const ros::Time& stamp, double t) { publish_labelled(stamp, t); });
   EXPECT_EQ(forecasts().count("obj_77"), 0U);
   EXPECT_EQ(forecasts().count("cup"), 1U);
 }
 
-// roscpp keeps 300 bytes for every topic that a node handle ever offered.
+// roscpp keeps 300 bytes for every topic that a node handle ever offered. ObjectPublishers must not gather them.
 TEST(ObjectPublishers, P18_objects_that_come_and_go_leave_no_memory_behind) {
   ObjectPublishers<nav_msgs::Path> publishers(ros::NodeHandle(), [](const std::string& id) { return "passing/" + id; });
   const auto come_and_go = [&](int times) {
@@ -175,7 +179,7 @@ TEST(ObjectPublishers, P18_objects_that_come_and_go_leave_no_memory_behind) {
       publishers.set_objects({});
     }
   };
-  come_and_go(20);  // allocates what stays
+  come_and_go(20);  // The first rounds allocate what is kept for good.
   const auto before = static_cast<double>(::mallinfo2().uordblks);
   come_and_go(100);
   EXPECT_LT(static_cast<double>(::mallinfo2().uordblks) - before, 100 * 100.0);

@@ -25,7 +25,7 @@ class SimTimeTest : public ::testing::Test {
     client.wait_until([] { return false; }, 0.02);
   }
 
-  // Simulated time from `from` on at 30 Hz, with a flight that starts then.
+  // Plays simulated time from `from` [s] on in frames of 1/30 s, with a flight that starts at that time.
   void play(double from, int frames) {
     for (int i = 0; i < frames; ++i) {
       const double t = i / 30.0;
@@ -45,7 +45,7 @@ class SimTimeTest : public ::testing::Test {
   Flight flight;
 };
 
-// The first test: no clock has been published yet.
+// This has to be the first test, because no clock has been published before it.
 TEST_F(SimTimeTest, P10_lives_without_a_clock_and_answers_while_it_stands_still) {
   ASSERT_TRUE(client.wait_until([] { return ros::service::exists("predict_rollout", false); }));
   client.object("a").publish(stamped_cloud(blob(), ros::Time(3.0)));
@@ -56,12 +56,12 @@ TEST_F(SimTimeTest, P10_lives_without_a_clock_and_answers_while_it_stands_still)
   ASSERT_TRUE(forecast_reaches(100.0 + 19 / 30.0));
   EXPECT_LT(largest_error(client.last_forecast, "a", flight, ros::Time(100.0)), 0.003);
 
-  client.wait_until([] { return false; }, 1.0);  // a paused bag: the clock stands still
+  client.wait_until([] { return false; }, 1.0);  // The clock stands still, as with a paused bag.
   const Response paused = client.call({});
   EXPECT_TRUE(paused.success) << paused.message;
   EXPECT_NEAR(paused.forecast.header.stamp.toSec(), 100.0 + 19 / 30.0, 1e-6);
 
-  set_clock(102.0);  // it goes on, and nothing was seen for more than max_state_age
+  set_clock(102.0);  // The clock goes on, and nothing was seen for longer than max_state_age.
   EXPECT_TRUE(client.wait_until([&] { return client.call({}).error_code == Response::STALE_STATE; }));
 }
 

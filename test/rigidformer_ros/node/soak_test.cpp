@@ -17,9 +17,13 @@
 namespace rigidformer_ros::testing {
 namespace {
 
-constexpr double kFramePeriod = 1.0 / 30.0;  // [s] of simulated time
-constexpr double kLoopDuration = 20.0;       // [s] of simulated time until the clock starts anew
+// [s] of simulated time between two frames, as from a camera of 30 Hz.
+constexpr double kFramePeriod = 1.0 / 30.0;
+// [s] of simulated time until the clock starts anew; chosen by eye.
+constexpr double kLoopDuration = 20.0;
+// Bytes of a mebibyte.
 constexpr double kMiB = 1024.0 * 1024.0;
+// Frames between two calls of predict_rollout; chosen by eye.
 constexpr int kFramesPerService = 50;
 
 class SoakTest : public ::testing::Test {
@@ -40,7 +44,7 @@ class SoakTest : public ::testing::Test {
     clock.publish(message);
   }
 
-  // Clouds that overtook the clock would be refused: waits until the node has noticed.
+  // Sets the clock back and waits until the node has noticed: it would refuse clouds that reach it before the clock.
   void restart_clock() {
     now = loop_start;
     scene.restart();
@@ -50,7 +54,7 @@ class SoakTest : public ::testing::Test {
     EXPECT_TRUE(client.wait_until([] { return NodeClient::call({}).error_code == Rollout::Response::NO_OBJECTS; }));
   }
 
-  // One frame: publishes all clouds, waits for their forecast. False when none came although it had to.
+  // Publishes all clouds of one frame and waits for their forecast. Returns false when none came although it had to.
   bool play_frame(double patience_s = 10.0) {
     now += ros::Duration(kFramePeriod);
     if (now > loop_start + ros::Duration(kLoopDuration)) {
@@ -75,7 +79,7 @@ class SoakTest : public ::testing::Test {
     return true;
   }
 
-  // Whether the node has seen all objects at this instant, and therefore forecasts from it.
+  // Tells whether the node has seen all objects at this instant, so that it must forecast from it.
   bool is_complete() const {
     bool any = false;
     for (const auto& [id, stamp] : last_usable) {

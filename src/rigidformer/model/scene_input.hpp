@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "rigidformer/model/batch.hpp"
+#include "rigidformer/model/options.hpp"
+#include "rigidformer/scene/object.hpp"
+#include "rigidformer/scene/rollout_options.hpp"
+
+namespace rigidformer {
+
+/// A scene in the form the network reads, B = 1. World coordinates are shifted so that the ground lies at z = 0 and the
+/// objects surround the origin: physics does not depend on where a scene stands, trained positions do.
+struct SceneInput {
+  SceneBatch batch;
+  SceneState state;
+  Eigen::Vector3d origin_world;  ///< Position of the network's origin in world [m]
+  std::vector<Points> clouds;    ///< Points the network uses, farthest-point order, reference frame
+};
+
+/// Checks every option; throws std::invalid_argument naming the one at fault.
+void validate_options(const RolloutOptions& rollout);
+
+/// Objects must be usable (scene/objection.hpp). Points are reduced to the first `max_points` in farthest-point order
+/// and padded to a multiple of 64. Unknown material parameters are marked unknown when the model can read that;
+/// otherwise MOVi's mean values stand in.
+SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
+                            const ModelOptions& model, int max_points);
+
+/// Gives the poses of all objects in world coordinates.
+std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose);
+
+}  // namespace rigidformer

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <torch/torch.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "rigidformer/data/scene_archive.hpp"
+#include "rigidformer/windows/options.hpp"
+
+namespace rigidformer {
+
+using torch::Tensor;
+
+/// All scenes of several archives as padded tensors on one device. S scenes, F frames, K objects, Q shapes, P sets,
+/// M points per set.
+struct SceneTensors {
+  Tensor poses;              ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass
+  Tensor object_mask;        ///< [S, K] bool
+  Tensor shape;              ///< [S, K] int64 into Q
+  Tensor size;               ///< [S, K] scale of the shape
+  Tensor properties;         ///< [S, K, 3] mass, friction, restitution
+  Tensor gravity;            ///< [S] vertical component [m/s^2]
+  Tensor shape_points;       ///< [Q, P, M, 3] at size 1
+  Tensor shape_normals;      ///< [Q, P, M, 3] of the mesh, for what a camera sees
+  Tensor estimated_normals;  ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
+  Tensor shape_point_count;  ///< [Q, P] int64
+
+  std::int64_t num_scenes() const { return poses.size(0); }
+  std::int64_t num_frames() const { return poses.size(1); }
+  std::int64_t max_objects() const { return poses.size(2); }
+
+  /// Number of objects of every scene.
+  std::vector<std::int64_t> object_counts() const;
+
+  SceneTensors to(const torch::Device& device) const;
+};
+
+/// Throws std::invalid_argument when there is no scene, or when scenes differ in their number of frames.
+SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options);
+
+}  // namespace rigidformer

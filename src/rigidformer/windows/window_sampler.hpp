@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "rigidformer/windows/contact_events.hpp"
+#include "rigidformer/windows/options.hpp"
+
+namespace rigidformer {
+
+/// One window: frames `frame`, `frame` + s, ..., of one scene.
+struct Window {
+  int scene = 0;
+  int frame = 0;
+  int step_size = 1;
+};
+
+/// Draws windows of 2 + num_steps frames. Around a contact, the event lies in the predicted part.
+class WindowSampler {
+ public:
+  /// Throws std::invalid_argument naming the option at fault, or when scenes are too short.
+  WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<std::int64_t> object_counts,
+                std::int64_t num_frames);
+
+  Window draw(int num_steps, std::mt19937_64& random) const;
+
+  /// Draws the windows of one training iteration. Iterations come in groups whose windows are sorted by their
+  /// number of objects before they are dealt out, so that a batch carries little padding. The same seed and
+  /// iteration give the same windows.
+  std::vector<Window> draw_batch(int batch_size, int num_steps, std::uint64_t seed, std::int64_t iteration) const;
+
+ private:
+  int draw_step_size(int num_steps, std::mt19937_64& random) const;
+  const std::vector<ContactEvent>* draw_kind(std::mt19937_64& random) const;
+
+  WindowOptions options_;
+  ContactEvents events_;
+  std::vector<std::int64_t> object_counts_;  ///< Number of objects of every scene
+  int num_scenes_, num_frames_;
+};
+
+}  // namespace rigidformer

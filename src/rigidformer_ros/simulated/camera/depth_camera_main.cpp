@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+
+#include "rigidformer_ros/simulated/camera/depth_camera_publisher.hpp"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "depth_camera");
+  ros::NodeHandle node;
+  try {
+    namespace camera = rigidformer_ros::camera;
+    const ros::NodeHandle private_node("~");
+    camera::DepthCameraPublisher(node, camera::read_camera_options(private_node),
+                                 camera::read_playback_options(private_node))
+        .run();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+  return 0;
+}
