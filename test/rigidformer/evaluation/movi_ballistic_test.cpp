@@ -78,9 +78,9 @@ TEST(MoviBallistic, SetAScoresAreReproduced) {
 
 /// Built-in shapes in the place of KuBasic's: references from 1,200, 240 and 240 scenes of seed 424242.
 TEST(MoviBallistic, SetBScoresOfBuiltinShapesAreReproduced) {
-  expect_score(MoviSet::kB, builtin_shapes(), 400, {0, {REF0}});
-  expect_score(MoviSet::kB, builtin_shapes(), 40, {120, {REF1}});
-  expect_score(MoviSet::kB, builtin_shapes(), 40, {240, {REF2}});
+  expect_score(MoviSet::kB, builtin_shapes(), 400, {0, {0.219, 13.0}});
+  expect_score(MoviSet::kB, builtin_shapes(), 40, {120, {1.771, 59.2}});
+  expect_score(MoviSet::kB, builtin_shapes(), 40, {240, {0.857, 40.5}});
 }
 
 TEST(MoviBallistic, SetBScoresOfKuBasicShapesAreReproduced) {
