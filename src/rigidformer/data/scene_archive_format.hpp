@@ -11,7 +11,8 @@
 namespace rigidformer::scene_archive_format {
 
 constexpr char kFormat[] = "rigidformer_scenes";
-constexpr int kVersion = 1;
+/// Files say 2 where a reader of version 1 would misread them: scenes of different lengths, objects that never move.
+constexpr int kPlainVersion = 1, kVersion = 2;
 constexpr std::size_t kPoseSize = 7;  ///< x y z qx qy qz qw
 
 [[noreturn]] inline void fail(const std::filesystem::path& path, const std::string& defect) {
