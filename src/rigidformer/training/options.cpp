@@ -6,9 +6,19 @@
 
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 
 namespace rigidformer {
 namespace {
+
+template <typename T>
+std::string accepted_as() {
+  if constexpr (std::is_same_v<T, bool>) return "true or false";
+  if constexpr (std::is_unsigned_v<T>) return "an integer of at least 0";
+  if constexpr (std::is_integral_v<T>) return "an integer";
+  if constexpr (std::is_floating_point_v<T>) return "a number like 0.001 or 1e-3";
+  return std::is_same_v<T, std::string> ? "a text" : "a list of integers";
+}
 
 /// Reads one YAML mapping; remembers which keys were asked for so that the others can be reported.
 class Section {
@@ -24,7 +34,8 @@ class Section {
     try {
       value = node_[key].as<T>();
     } catch (const YAML::Exception&) {
-      throw std::invalid_argument("'" + name_ + key + "' has the wrong type: " + YAML::Dump(node_[key]));
+      throw std::invalid_argument("'" + name_ + key + "' has the wrong type: it is " + YAML::Dump(node_[key]) +
+                                  ", accepted is " + accepted_as<T>());
     }
   }
 
@@ -190,6 +201,7 @@ void validate(const TrainingOptions& o) {
   require(o.batch_size > 0, "'batch_size' must be positive");
   require(o.micro_batches > 0, "'micro_batches' must be positive");
   require(o.log_every > 0, "'log_every' must be positive");
+  require(o.validation_scenes > 0, "'validation_scenes' must be positive");
   require(o.precision == "float32" || o.precision == "bfloat16", "'precision' must be float32 or bfloat16");
   require(o.loss.residual_unit == "dt" || o.loss.residual_unit == "dt2", "'loss.residual_unit' must be dt or dt2");
   require(o.loss.beta > 0.0, "'loss.beta' must be positive");

@@ -218,6 +218,23 @@ TEST_F(WindowBatchTest, NoStepsMeansTheTwoGivenPoses) {
   EXPECT_TRUE(batch.departures.empty());
 }
 
+TEST_F(WindowBatchTest, P47_WhatTheRecordingDoesNotSayStaysUnknown) {
+  SceneArchive archive = flying_cubes_archive({2}, 60);
+  archive.scenes[0].objects[1].properties = {std::nullopt, 0.4, std::nullopt};
+  const SceneTensors tensors = make_scene_tensors({archive}, {4, 64, 1});
+  const SceneBatch scene = make_window_batch(tensors, {{0, 0, 5}}, 1, 4, no_augmentation(32)).scene;
+  EXPECT_TRUE(torch::equal(scene.properties_known[0], torch::tensor({{1.0F, 1.0F, 1.0F}, {0.0F, 1.0F, 0.0F}})));
+  EXPECT_GT(scene.properties[0][1][0].item<double>(), 0.0);  // a stand-in for networks that read no mask
+}
+
+TEST_F(WindowBatchTest, P41_StaticObjectsAreNotPredicted) {
+  SceneArchive archive = flying_cubes_archive({2}, 60);
+  archive.scenes[0].objects[1].is_static = true;
+  const SceneTensors tensors = make_scene_tensors({archive}, {4, 64, 1});
+  const SceneBatch scene = make_window_batch(tensors, {{0, 0, 5}}, 1, 4, no_augmentation(32)).scene;
+  EXPECT_TRUE(torch::equal(scene.dynamic_mask, torch::tensor({{true, false}})));
+}
+
 TEST_F(WindowBatchTest, UnknownPropertiesAreMasked) {
   AugmentationOptions options = no_augmentation(16);
   options.unknown_probability = 1.0;
