@@ -7,6 +7,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include "rigidformer_ros/simulated/camera/camera_messages.hpp"
+#include "rigidformer_ros/simulated/playback/private_parameters.hpp"
 #include "rigidformer_ros/simulated/playback/scene_clock.hpp"
 
 namespace rigidformer_ros::camera {
@@ -19,8 +20,8 @@ struct PlaybackOptions {
 };
 
 /// Reads private parameters; those absent keep their defaults. Throws std::invalid_argument naming the parameter.
-CameraOptions read_camera_options(const ros::NodeHandle& private_node);
-PlaybackOptions read_playback_options(const ros::NodeHandle& private_node);
+CameraOptions read_camera_options(demo::PrivateParameters& parameters);
+PlaybackOptions read_playback_options(demo::PrivateParameters& parameters);
 
 /// Plays scenes as a depth camera with a segmentation sees them: topics of camera_messages.hpp and tf of the camera.
 class DepthCameraPublisher {
