@@ -299,7 +299,9 @@ TEST_F(WindowBatchTest, AnchorsStartAtRandomPointsWhenAsked) {
 }
 
 TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
-  const SceneTensors tensors = make_scene_tensors({flying_cubes_archive({1, 3}, 20), example_archive(20)}, {3, 50, 1});
+  SceneArchive example = example_archive(20);
+  for (SceneRecording& scene : example.scenes) scene.frame_rate_hz = 240.0;
+  const SceneTensors tensors = make_scene_tensors({flying_cubes_archive({1, 3}, 20), example}, {3, 50, 1});
   EXPECT_EQ(tensors.num_scenes(), 4);
   EXPECT_EQ(tensors.num_frames(), 20);
   EXPECT_EQ(tensors.max_objects(), 3);
@@ -314,13 +316,7 @@ TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
   EXPECT_LT(largest_difference(tensors.shape_normals.slice(1, 1).norm(2, -1), torch::ones({2, 2, 50})), 1e-5);
 }
 
-TEST(SceneTensorsTest, RefusesNoScenesAndMixedLengths) {
-  EXPECT_THROW(make_scene_tensors({}, {}), std::invalid_argument);
-  const std::string error = error_of([] {
-    make_scene_tensors({flying_cubes_archive({1}, 20), flying_cubes_archive({1}, 21)}, {});
-  });
-  EXPECT_NE(error.find("21"), std::string::npos) << error;
-}
+TEST(SceneTensorsTest, RefusesNoScenes) { EXPECT_THROW(make_scene_tensors({}, {}), std::invalid_argument); }
 
 }  // namespace
 }  // namespace rigidformer
