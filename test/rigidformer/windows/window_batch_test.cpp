@@ -298,25 +298,5 @@ TEST_F(WindowBatchTest, AnchorsStartAtRandomPointsWhenAsked) {
   EXPECT_GT(random.size(), 3u);
 }
 
-TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
-  SceneArchive example = example_archive(20);
-  for (SceneRecording& scene : example.scenes) scene.frame_rate_hz = 240.0;
-  const SceneTensors tensors = make_scene_tensors({flying_cubes_archive({1, 3}, 20), example}, {3, 50, 1});
-  EXPECT_EQ(tensors.num_scenes(), 4);
-  EXPECT_EQ(tensors.num_frames(), 20);
-  EXPECT_EQ(tensors.max_objects(), 3);
-  EXPECT_EQ(tensors.object_counts(), (std::vector<int64_t>{1, 3, 1, 2}));
-  EXPECT_EQ(tensors.shape_points.sizes(), (std::vector<int64_t>{2, 3, 50, 3}));
-  EXPECT_TRUE(torch::equal(tensors.shape_point_count, torch::tensor({{8, 50, 50}, {4, 50, 50}}, torch::kInt64)));
-  EXPECT_EQ(tensors.shape[2][0].item<int64_t>(), 1);  // second archive, own shapes
-  EXPECT_NEAR(tensors.gravity[3].item<double>(), -9.0, 1e-6);
-  EXPECT_FALSE(torch::equal(tensors.shape_points[0][1], tensors.shape_points[0][2]));
-  const Tensor corner_normals = tensors.shape_normals[0][0].slice(0, 0, 8), corners = tensors.shape_points[0][0];
-  EXPECT_LT(largest_difference(corner_normals.sign(), corners.slice(0, 0, 8).sign()), 1e-6) << "outwards";
-  EXPECT_LT(largest_difference(tensors.shape_normals.slice(1, 1).norm(2, -1), torch::ones({2, 2, 50})), 1e-5);
-}
-
-TEST(SceneTensorsTest, RefusesNoScenes) { EXPECT_THROW(make_scene_tensors({}, {}), std::invalid_argument); }
-
 }  // namespace
 }  // namespace rigidformer
