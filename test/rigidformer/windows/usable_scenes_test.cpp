@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "rigidformer/data/example_archive.hpp"
-#include "rigidformer/windows/scene_tensors.hpp"
 #include "window_scenes.hpp"
 
 namespace rigidformer {
@@ -36,23 +37,6 @@ TEST(UsableScenes, P45_NothingLeftIsAnErrorThatSaysWhy) {
   const std::string error = error_of([&] { leave_out_unusable_scenes(archive, 21); });
   EXPECT_NE(error.find("no scene to learn from in set 'flying_cubes'"), std::string::npos) << error;
   EXPECT_NE(error.find("2 scenes left out"), std::string::npos) << error;
-}
-
-TEST(SceneTensorsTest, P46_OtherFrameRatesAreRefusedByName) {
-  SceneArchive archive = flying_cubes_archive({1, 1}, 30);
-  archive.scenes[1] = named(archive.scenes[1], "slow");
-  archive.scenes[1].frame_rate_hz = 12.0;
-  const std::string error = error_of([&] { make_scene_tensors({archive}, {2, 16, 1}); });
-  EXPECT_NE(error.find("scene 'slow' of set 'flying_cubes': frame_rate is 12"), std::string::npos) << error;
-  EXPECT_NE(error.find("240"), std::string::npos) << error;
-}
-
-TEST(SceneTensorsTest, P45_ShortScenesArePaddedWithTheirLastPose) {
-  SceneArchive archive = flying_cubes_archive({1, 1}, 30);
-  archive.scenes[0] = flying_cubes(1, 25);
-  const SceneTensors tensors = make_scene_tensors({archive}, {2, 16, 1});
-  EXPECT_EQ(tensors.frame_counts(), (std::vector<std::int64_t>{25, 30}));
-  EXPECT_TRUE(torch::equal(tensors.poses[0][29], tensors.poses[0][24]));
 }
 
 }  // namespace
