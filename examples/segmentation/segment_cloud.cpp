@@ -3,17 +3,18 @@
 //
 // This is a worked example of a segmentation. It reads the unlabelled clouds of a depth camera on the topic `points`
 // and publishes them with a label per object on the topic `cloud`, as the prediction node wants them. Label 0 means
-// ground or unknown. The private parameters are the members of SegmentationOptions, max_match_distance and
-// max_missed_frames. Objects that touch become one.
+// ground or unknown. The private parameters are the members of SegmentationOptions and SegmentationParameters; ill or
+// unknown ones end the program. Objects that touch become one.
 #include <ros/ros.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 
-#include "euclidean_segmentation.hpp"
 #include "rigidformer/geometry/point_rows.hpp"
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
+#include "segmentation_parameters.hpp"
 #include "stable_labels.hpp"
 
 namespace {
@@ -23,6 +24,7 @@ using sensor_msgs::PointField;
 
 // Most points of a cloud: the default of the node's parameter input/max_cloud_points.
 constexpr std::uint64_t kMaxPoints = 4000000;
+constexpr double kSlow_s = 0.2;  // a camera sends several clouds in this time
 
 std::vector<Eigen::Vector3d> centroids_of(const Points& points, const std::vector<std::vector<int>>& objects) {
   std::vector<Eigen::Vector3d> centroids;
@@ -49,25 +51,30 @@ sensor_msgs::PointCloud2 make_labelled(const Points& points, const std::vector<s
 
 class SegmentCloud {
  public:
-  explicit SegmentCloud(ros::NodeHandle& node)
-      : labels_(ros::param::param("~max_match_distance", 0.1), ros::param::param("~max_missed_frames", 5)),
+  SegmentCloud(ros::NodeHandle& node, const SegmentationParameters& parameters)
+      : options_(parameters.options),
+        labels_(parameters.max_match_distance, parameters.max_missed_frames),
         publisher_(node.advertise<sensor_msgs::PointCloud2>("cloud", 2)),
-        subscriber_(node.subscribe("points", 1, &SegmentCloud::on_cloud, this)) {
-    ros::param::param("~max_range", options_.max_range, options_.max_range);
-    ros::param::param("~plane_distance", options_.plane_distance, options_.plane_distance);
-    ros::param::param("~min_plane_share", options_.min_plane_share, options_.min_plane_share);
-    ros::param::param("~cluster_tolerance", options_.cluster_tolerance, options_.cluster_tolerance);
-    ros::param::param("~min_cluster_points", options_.min_cluster_points, options_.min_cluster_points);
-  }
+        subscriber_(node.subscribe("points", 1, &SegmentCloud::on_cloud, this)) {}
 
  private:
   // All exceptions end here: one that leaves a subscriber callback would end the node.
   void on_cloud(const sensor_msgs::PointCloud2& message) {
     try {
+      const ros::WallTime begin = ros::WallTime::now();
       publisher_.publish(segment(message));
+      warn_if_slow((ros::WallTime::now() - begin).toSec(), message);
     } catch (const std::exception& error) {
       ROS_WARN_THROTTLE(5.0, "cloud not segmented: %s", error.what());
     }
+  }
+
+  static void warn_if_slow(double duration_s, const sensor_msgs::PointCloud2& message) {
+    if (duration_s < kSlow_s) return;
+    ROS_WARN_THROTTLE(10.0,
+                      "segmenting a cloud of %u points took %.2f s, clouds that come meanwhile are dropped: lower "
+                      "max_range, raise cluster_tolerance, or thin and crop the clouds before",
+                      message.width * message.height, duration_s);
   }
 
   sensor_msgs::PointCloud2 segment(const sensor_msgs::PointCloud2& message) {
@@ -94,9 +101,23 @@ class SegmentCloud {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "segment_cloud");
-  ros::NodeHandle node;
-  SegmentCloud segment_cloud(node);
-  ros::spin();
-  return 0;
+  try {
+    ros::init(argc, argv, "segment_cloud");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "segment_cloud: %s (ROS keeps its log there: set ROS_LOG_DIR to another folder)\n",
+                 error.what());
+    return 1;
+  }
+  // Beyond the try block: the end of the last handle shuts ROS down, and with it what would print the message below.
+  ros::NodeHandle node, private_node("~");
+  try {
+    XmlRpc::XmlRpcValue tree;
+    private_node.getParam("", tree);
+    SegmentCloud segment_cloud(node, read_segmentation_parameters(tree));
+    ros::spin();
+    return 0;
+  } catch (const std::exception& error) {
+    ROS_FATAL("segment_cloud: %s", error.what());
+    return 1;
+  }
 }

@@ -83,6 +83,9 @@ std::vector<Score> score_sets(const EvaluateOptions& options, const std::vector<
   for (const std::string& path : options.data) {
     const std::filesystem::path shapes_dir = options.shapes_dir;
     const SceneArchive archive = load_scenes(path, shapes_dir, protocol.max_scenes);
+    for (const std::string& sentence : scenes_left_out(archive, protocol)) {
+      std::fprintf(stderr, "evaluate: %s\n", sentence.c_str());
+    }
     const auto of_set = evaluate(archive, contestants, protocol, ProgressLine(archive.set), sink);
     scores.insert(scores.end(), of_set.begin(), of_set.end());
   }

@@ -8,8 +8,10 @@
 
 namespace rigidformer {
 
-/// Reads a Kubric `metadata.json` (path of the file or of its folder). Quaternions are w x y z in the file. Velocities,
-/// mass, friction, restitution and size may be absent. Throws std::runtime_error naming path and key.
+/// Reads a Kubric `metadata.json` (path of the file or of its folder) by the rules of docs/data_format.md. Quaternions
+/// are w x y z in the file. Velocities, mass, friction, restitution and size may be absent; where `scale` stands
+/// instead of `size`, `largest_extent_m` is set and load_scenes() makes a size of it. Backgrounds are left out. Throws
+/// std::runtime_error naming path, key and value.
 SceneRecording read_kubric_scene(const std::filesystem::path& path);
 
 /// Writes `<folder>/metadata.json`. Throws std::runtime_error.

@@ -59,10 +59,14 @@ using ResultSink = std::function<void(const SceneResult&)>;
 /// Called after every scene with the number of rollout steps made so far and in all.
 using EvaluationProgress = std::function<void(long done, long total)>;
 
+/// A sentence each about the scenes that evaluate() leaves out: those in which no object can move, and, per start,
+/// those that end before the last horizon, so that all horizons of a row are means over the same scenes.
+std::vector<std::string> scenes_left_out(const SceneArchive& archive, const ProtocolOptions& options);
+
 /// Rolls every forecaster out from two given frames of every scene and scores it against the recording.
 /// Scores come in the order start, step, forecaster, horizon. When only resting objects are scored, scenes in
-/// which nothing rests are left out. Throws std::invalid_argument for invalid options, no scenes, nothing to
-/// score or a scene that is too short.
+/// which nothing rests are left out; static objects do not count. Throws std::invalid_argument for invalid options,
+/// no scenes, nothing to score or a start that no scene is long enough for.
 std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
                             const ProtocolOptions& options, const EvaluationProgress& progress = {},
                             const ResultSink& sink = {});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,16 @@ struct RecordedObject {
   std::string shape;  ///< Name of the shape in the library (Kubric: asset_id)
   double size = 1.0;  ///< Uniform scale of the shape
   BodyProperties properties;
+  bool is_static = false;                      ///< Never moves, whatever hits it (table, shelf, wall)
   std::vector<RigidTransform> T_world_object;  ///< One pose per frame; the origin is the centre of mass
   std::vector<Eigen::Vector3d> velocities;     ///< Velocity of the centre of mass [m/s], one per frame; may be empty
   std::vector<Eigen::Vector3d> angular_velocities;  ///< Angular velocity in world [rad/s], one per frame; may be empty
+  /// [m] Given by a file instead of the size, which follows from it once the mesh is known. Empty in loaded scenes.
+  std::optional<double> largest_extent_m;
 };
+
+/// Whether gravity points along -z or vanishes: the only direction that the network and the floor z = 0 know.
+bool points_down(const Eigen::Vector3d& gravity);
 
 /// A scene over time at a fixed frame rate.
 struct SceneRecording {

@@ -23,6 +23,9 @@ struct Shape {
 
   /// All vertices of all parts [V, 3] at size 1: the points that mesh-based methods use.
   Points vertices() const;
+
+  /// Longest edge of the axis-parallel box around all parts [m], size 1; 0 without vertices.
+  double largest_extent() const;
 };
 
 }  // namespace rigidformer

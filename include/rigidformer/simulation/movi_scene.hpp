@@ -37,6 +37,9 @@ struct MoviOptions {
 /// there, else the whole library. Throws std::invalid_argument naming a missing shape.
 std::vector<Shape> movi_shapes(MoviSet set, const std::vector<Shape>& library);
 
+/// The names of these shapes when those in `available` can be had.
+std::vector<std::string> movi_shape_names(MoviSet set, const std::vector<std::string>& available);
+
 /// Bullet settings of `set`; the sets differ in the solver's rate.
 BulletSettings movi_bullet_settings(MoviSet set);
 

@@ -15,8 +15,13 @@ std::vector<std::vector<RigidTransform>> BulletForecaster::forecast(const std::v
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     // Bullet moves bodies by the velocity after the kick of gravity: starting half a kick back makes free flight exact.
     BodyState state = bodies[i].state;
-    state.velocity.z() -= half_fall(rollout.time_step_s, rollout.gravity) / settings.substeps;
-    world.add_body({objects[i].id, 1.0, bodies[i].parts}, 1.0, bodies[i].properties, state);
+    const Shape shape{objects[i].id, 1.0, bodies[i].parts};
+    if (bodies[i].is_static) {
+      world.add_driven_body(shape, 1.0, bodies[i].properties, state);
+    } else {
+      state.velocity.z() -= half_fall(rollout.time_step_s, rollout.gravity) / settings.substeps;
+      world.add_body(shape, 1.0, bodies[i].properties, state);
+    }
     poses.push_back({objects[i].T_world_current});
   }
   for (int k = 0; k < rollout.num_steps; ++k) {

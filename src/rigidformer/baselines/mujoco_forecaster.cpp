@@ -86,6 +86,10 @@ bool has_diverged(const mjData& data) {
 std::vector<std::vector<RigidTransform>> MujocoForecaster::forecast(const std::vector<ObjectState>& objects,
                                                                     const RolloutOptions& rollout) {
   const std::vector<ObservedBody> bodies = observe_bodies(objects, rollout);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i].is_static) continue;
+    throw std::invalid_argument("mujoco: object '" + objects[i].id + "' is static, which only bullet simulates");
+  }
   const int substeps = kSolverStepsPerFrame * observed_world(rollout.time_step_s, rollout.gravity).substeps;
   mju_user_warning = [](const char*) {};  // else they go to a file in the current folder
   const ModelPtr model = compile(mujoco_scene(bodies, rollout.gravity, rollout.time_step_s / substeps));

@@ -39,7 +39,7 @@ BodyState state_from_two_poses(const ObservedBody& body, const ObjectState& obje
 }
 
 ObservedBody observe_body(const ObjectState& object, const RolloutOptions& rollout, const Decomposition& decompose) {
-  require(object.mode == MotionMode::kDynamic, "object '" + object.id + "' is not dynamic; only those are simulated");
+  require(object.mode != MotionMode::kKinematic, "object '" + object.id + "' is kinematic, which is not simulated");
   require(
       object.points_reference.rows() >= 4,
       "object '" + object.id + "' has " + std::to_string(object.points_reference.rows()) + " points, needs at least 4");
@@ -49,7 +49,9 @@ ObservedBody observe_body(const ObjectState& object, const RolloutOptions& rollo
   const MeshVolume measured = measure_volume(body.parts);
   body.T_reference_body.translation = measured.centroid;
   for (ConvexPart& part : body.parts) part.vertices.rowwise() -= measured.centroid.transpose().cast<float>();
+  body.is_static = object.mode == MotionMode::kStatic;
   body.state = state_from_two_poses(body, object, rollout);
+  if (body.is_static) body.state = {body.state.T_world_object, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   body.properties = with_means(object.properties, measured.volume_m3);
   return body;
 }

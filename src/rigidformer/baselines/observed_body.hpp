@@ -18,6 +18,7 @@ struct ObservedBody {
   RigidTransform T_reference_body;
   BodyState state;            ///< At the current observation
   BodyProperties properties;  ///< Complete
+  bool is_static = false;
 };
 
 /// Makes convex parts of a cloud that spans a volume.
@@ -33,7 +34,8 @@ std::vector<ConvexPart> one_hull(const Points& points);
 /// - Velocity and spin: from the two poses. Gravity is taken to have acted between them, except on objects that touch
 ///   the floor in both.
 /// - Unknown material: the means of the MOVi scenes, as for the engine inside of the network.
-/// Throws std::invalid_argument for a bad rollout, no ground, fewer than 4 points, or an object that is not dynamic.
+/// - Static objects have no velocity.
+/// Throws std::invalid_argument for a bad rollout, no ground, fewer than 4 points, or a kinematic object.
 std::vector<ObservedBody> observe_bodies(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                                          const Decomposition& decompose = one_hull);
 

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <locale>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
+#include "obj_file.hpp"
 #include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
@@ -35,62 +37,12 @@ const std::map<std::string, double>& mass_table() {
   throw std::runtime_error("shape '" + path.string() + "': " + defect);
 }
 
-/// Part of an OBJ file while it is read. Face indices of OBJ count all vertices of the file from 1.
-struct PartBuilder {
-  std::vector<Eigen::Vector3f> vertices;
-  std::vector<Eigen::Vector3i> triangles;
-};
-
-Eigen::Vector3f parse_vertex(const std::filesystem::path& path, std::istringstream& line) {
-  Eigen::Vector3f vertex;
-  if (!(line >> vertex.x() >> vertex.y() >> vertex.z()) || !vertex.allFinite()) fail(path, "broken vertex line");
-  return vertex;
-}
-
-/// Adds a polygon as a fan of triangles. `first` is the file index of the part's first vertex.
-void parse_face(const std::filesystem::path& path, std::istringstream& line, int first, PartBuilder& part) {
-  std::vector<int> corners;
-  for (std::string word; line >> word;) {
-    int index = 0;
-    if (!(std::istringstream(word) >> index)) fail(path, "broken face line");
-    const std::int64_t local = std::int64_t{index} - 1 - first;
-    if (local < 0 || local >= static_cast<std::int64_t>(part.vertices.size())) {
-      fail(path, "face index " + std::to_string(index) + " points outside its group");
-    }
-    corners.push_back(static_cast<int>(local));
-  }
-  if (corners.size() < 3) fail(path, "a face has fewer than three corners");
-  for (std::size_t i = 2; i < corners.size(); ++i) part.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
-}
-
 std::string read_geometry(const std::filesystem::path& path) {
   try {
     return read_text_file(path, kMaxGeometryBytes);
   } catch (const std::runtime_error& error) {
     fail(path, error.what());
   }
-}
-
-std::vector<PartBuilder> parse_obj(const std::filesystem::path& path) {
-  std::istringstream in(read_geometry(path));
-  std::vector<PartBuilder> parts;
-  int first = 0;
-  for (std::string text; std::getline(in, text);) {
-    std::istringstream line(text);
-    std::string keyword;
-    line >> keyword;
-    if (keyword == "o" || (parts.empty() && keyword == "v")) {
-      if (!parts.empty()) first += static_cast<int>(parts.back().vertices.size());
-      parts.emplace_back();
-    }
-    if (keyword == "v") parts.back().vertices.push_back(parse_vertex(path, line));
-    if (keyword == "f") {
-      if (parts.empty()) fail(path, "a face comes before any vertex");
-      parse_face(path, line, first, parts.back());
-    }
-  }
-  if (parts.empty()) fail(path, "holds no vertices");
-  return parts;
 }
 
 /// Turns every triangle outwards and checks that no vertex lies outside its plane.
@@ -117,7 +69,7 @@ void orient_and_check(const std::filesystem::path& path, std::size_t index, Conv
   }
 }
 
-ConvexPart build_part(const std::filesystem::path& path, std::size_t index, const PartBuilder& builder) {
+ConvexPart build_part(const std::filesystem::path& path, std::size_t index, const ObjPart& builder) {
   if (builder.vertices.size() < 4 || builder.triangles.size() < 4) {
     fail(path, "group " + std::to_string(index) + " is not a closed mesh (needs at least 4 vertices and 4 faces)");
   }
@@ -145,6 +97,20 @@ double volume(const Shape& shape) {
     }
   }
   return std::abs(total);
+}
+
+/// Whether data.json says that the shape is what stands behind the objects (Kubric: kwargs.background). What cannot be
+/// read says nothing.
+bool is_background(const std::filesystem::path& path) {
+  try {
+    const nlohmann::json sheet = nlohmann::json::parse(read_text_file(path, kMaxDataBytes));
+    const auto says_so = [](const nlohmann::json& group) {
+      return group.is_object() && group.value("background", nlohmann::json()) == true;
+    };
+    return says_so(sheet) || says_so(sheet.value("kwargs", nlohmann::json()));
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 /// Reads the mass from data.json; returns 0 and the defect when it cannot be read.
@@ -180,7 +146,7 @@ Shape load_kubasic_shape(const std::filesystem::path& folder, std::vector<std::s
   Shape shape;
   shape.name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
   const std::filesystem::path geometry = folder / kGeometryFile;
-  const std::vector<PartBuilder> builders = parse_obj(geometry);
+  const std::vector<ObjPart> builders = parse_obj(geometry, read_geometry(geometry));
   for (std::size_t i = 0; i < builders.size(); ++i) shape.parts.push_back(build_part(geometry, i, builders[i]));
 
   std::string defect;
@@ -197,16 +163,39 @@ Shape load_kubasic_shape(const std::filesystem::path& folder, std::vector<std::s
   return shape;
 }
 
-std::vector<Shape> load_kubasic_shapes(const std::filesystem::path& folder, std::vector<std::string>* warnings) {
+std::vector<std::string> kubasic_shape_names(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) fail(folder, "no such folder");
-  std::vector<std::filesystem::path> found;
+  std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (std::filesystem::exists(entry.path() / kGeometryFile)) found.push_back(entry.path());
+    if (std::filesystem::exists(entry.path() / kGeometryFile)) names.push_back(entry.path().filename().string());
   }
-  if (found.empty()) fail(folder, std::string("no sub-folder holds a ") + kGeometryFile);
-  std::sort(found.begin(), found.end());
+  if (names.empty()) fail(folder, std::string("no sub-folder holds a ") + kGeometryFile);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<Shape> load_kubasic_shapes(const std::filesystem::path& folder, std::vector<std::string>* warnings) {
   std::vector<Shape> shapes;
-  for (const auto& path : found) shapes.push_back(load_kubasic_shape(path, warnings));
+  for (const std::string& name : kubasic_shape_names(folder)) {
+    shapes.push_back(load_kubasic_shape(folder / name, warnings));
+  }
+  return shapes;
+}
+
+std::vector<Shape> load_usable_kubasic_shapes(const std::filesystem::path& folder, std::vector<std::string>& warnings) {
+  std::vector<Shape> shapes;
+  for (const std::string& name : kubasic_shape_names(folder)) {
+    if (is_background(folder / name / kDataFile)) {
+      warnings.push_back("shape '" + (folder / name).string() + "' is a background and left out");
+      continue;
+    }
+    try {
+      shapes.push_back(load_kubasic_shape(folder / name, &warnings));
+    } catch (const std::runtime_error& error) {
+      warnings.push_back(std::string("left out: ") + error.what());
+    }
+  }
+  if (shapes.empty()) fail(folder, "holds no usable shape; " + warnings.back());
   return shapes;
 }
 
@@ -214,6 +203,7 @@ void write_kubasic_shape(const std::filesystem::path& folder, const Shape& shape
   const std::filesystem::path target = folder / shape.name;
   std::filesystem::create_directories(target);
   std::ostringstream geometry;
+  geometry.imbue(std::locale::classic());
   geometry.precision(9);
   int first = 1;
   for (std::size_t i = 0; i < shape.parts.size(); ++i) {

@@ -2,75 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/data/kubric.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <locale>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "json_node.hpp"
 #include "rigidformer/io/text_file.hpp"
 
 namespace rigidformer {
 namespace {
 
 using Json = nlohmann::json;
+using Node = JsonNode;
 
 constexpr char kFileName[] = "metadata.json";
 constexpr std::uintmax_t kMaxFileBytes = 64u << 20;  // [bytes] bound on memory, see docs/data_format.md; chosen by eye
-
-/// A JSON value that knows its place in the file, so that every error names file and key.
-class Node {
- public:
-  Node(const std::filesystem::path& file, std::string key, const Json& value)
-      : file_(file), key_(std::move(key)), value_(value) {}
-
-  [[noreturn]] void fail(const std::string& defect) const {
-    throw std::runtime_error("Kubric scene '" + file_.string() + "': " + key_ + " " + defect);
-  }
-
-  bool has(const char* name) const { return value_.is_object() && value_.contains(name) && !value_.at(name).is_null(); }
-
-  Node at(const char* name) const {
-    if (!has(name)) Node(file_, child_key(name), value_).fail("is missing");
-    return {file_, child_key(name), value_.at(name)};
-  }
-
-  Node at(std::size_t index) const { return {file_, key_ + '[' + std::to_string(index) + ']', value_.at(index)}; }
-
-  std::size_t array_size() const {
-    if (!value_.is_array()) fail("is not a list");
-    return value_.size();
-  }
-
-  double number() const {
-    if (!value_.is_number()) fail("is not a number");
-    return value_.get<double>();
-  }
-
-  std::uint64_t natural() const {
-    if (!value_.is_number_unsigned()) fail("is not an integer >= 0");
-    return value_.get<std::uint64_t>();
-  }
-
-  std::string text() const {
-    if (!value_.is_string()) fail("is not a text");
-    return value_.get<std::string>();
-  }
-
-  template <int Size>
-  Eigen::Matrix<double, Size, 1> vector() const {
-    if (array_size() != Size) fail("does not have " + std::to_string(Size) + " numbers");
-    Eigen::Matrix<double, Size, 1> result;
-    for (std::size_t i = 0; i < Size; ++i) result[static_cast<Eigen::Index>(i)] = at(i).number();
-    return result;
-  }
-
- private:
-  std::string child_key(const char* name) const { return key_.empty() ? name : key_ + '.' + name; }
-
-  const std::filesystem::path& file_;
-  std::string key_;
-  const Json& value_;
-};
 
 void require_frames(const Node& list, std::size_t num_frames) {
   if (list.array_size() == num_frames) return;
@@ -101,32 +52,107 @@ std::vector<RigidTransform> read_poses(const Node& instance, std::size_t num_fra
   return poses;
 }
 
-std::optional<double> read_optional(const Node& instance, const char* key, double low) {
+std::optional<double> read_optional(const Node& instance, const char* key, double low, double high) {
   if (!instance.has(key)) return std::nullopt;
   const double value = instance.at(key).number();
-  if (!(value >= low)) instance.at(key).fail("= " + std::to_string(value) + " is out of range");
+  if (!(value >= low && value <= high)) {
+    std::ostringstream range;
+    range.imbue(std::locale::classic());
+    range << "is out of range, accepted is " << low << " to " << high;
+    instance.at(key).refuse(range.str());
+  }
   return value;
 }
 
-double read_size(const Node& instance) {
-  double size = 1.0;
-  if (instance.has("size")) size = instance.at("size").number();
-  if (!(size > 0.0)) instance.at("size").fail("= " + std::to_string(size) + " must be > 0");
-  return size;
+/// A factor, as one number or, as Kubric writes it, one per axis. Meshes are scaled uniformly.
+double read_factor(const Node& value, const std::string& asset) {
+  constexpr double kEqual = 1e-4;
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(value.is_list() ? 0.0 : value.number());
+  if (value.is_list()) axes = value.vector<3>();
+  if (!(axes.minCoeff() > 0.0)) value.refuse("of '" + asset + "' must be > 0");
+  if (axes.maxCoeff() - axes.minCoeff() > kEqual * axes.maxCoeff()) {
+    value.refuse("of '" + asset + "' differs between the axes, accepted is one number or three equal ones");
+  }
+  return axes.mean();
+}
+
+/// MOVi-A and -B write `size`, a factor. MOVi-C to F write `scale`, the largest extent in metres, as one number.
+/// Kubric's own `scale` of an object is a list of factors. Where both stand, `size` counts.
+void read_size(const Node& instance, RecordedObject& object) {
+  if (instance.has("size")) object.size = read_factor(instance.at("size"), object.shape);
+  if (!instance.has("scale")) return;
+  const double scale = read_factor(instance.at("scale"), object.shape);
+  const bool is_factor = instance.at("scale").is_list();
+  if (instance.has("size")) {
+    if (is_factor && std::abs(scale - object.size) > 1e-2 * object.size) {
+      instance.at("scale").refuse("of '" + object.shape + "' contradicts its size");
+    }
+  } else if (is_factor) {
+    object.size = scale;
+  } else {
+    object.largest_extent_m = scale;
+  }
+}
+
+/// Whether an object stays where it is in all frames.
+bool stays(const std::vector<RigidTransform>& poses) {
+  constexpr double kStill_m = 1e-3, kStill_rad = 1e-3;
+  return std::all_of(poses.begin(), poses.end(), [&](const RigidTransform& pose) {
+    return (pose.translation - poses.front().translation).norm() < kStill_m &&
+           rotation_angle(pose.rotation, poses.front().rotation) < kStill_rad;
+  });
+}
+
+/// MOVi-D to F write `is_dynamic: false` of what lies about at first and may be hit later: what moves is not static.
+/// Simulators give what never moves the mass 0.
+bool read_static(const Node& instance, const std::vector<RigidTransform>& poses) {
+  const bool still = stays(poses);
+  for (const char* key : {"static", "is_static"}) {
+    if (!instance.flag(key, false)) continue;
+    if (!still) instance.at(key).refuse("but the object moves, accepted is one that stays in its place");
+    return true;
+  }
+  if (instance.has("mass") && instance.at("mass").number() == 0.0) {
+    if (!still) instance.at("mass").refuse("but the object moves, accepted is > 0, or 0 for what stays in its place");
+    return true;
+  }
+  return still && !instance.flag("is_dynamic", true);
 }
 
 RecordedObject read_object(const Node& instance, std::size_t num_frames) {
+  constexpr double kMany = 1e12;
   RecordedObject object;
   object.shape = instance.at("asset_id").text();
-  object.size = read_size(instance);
-  object.properties = {read_optional(instance, "mass", 1e-9), read_optional(instance, "friction", 0.0),
-                       read_optional(instance, "restitution", 0.0)};
+  read_size(instance, object);
   object.T_world_object = read_poses(instance, num_frames);
+  object.is_static = read_static(instance, object.T_world_object);
+  object.properties = {read_optional(instance, "mass", object.is_static ? 0.0 : 1e-9, kMany),
+                       read_optional(instance, "friction", 0.0, kMany),
+                       read_optional(instance, "restitution", 0.0, 1.0)};
+  if (object.properties.mass_kg == 0.0) object.properties.mass_kg.reset();
   if (instance.has("velocities")) object.velocities = read_vectors(instance.at("velocities"), num_frames);
   if (instance.has("angular_velocities")) {
     object.angular_velocities = read_vectors(instance.at("angular_velocities"), num_frames);
   }
   return object;
+}
+
+/// All of `metadata` that is read.
+SceneRecording read_metadata(const Node& metadata) {
+  SceneRecording scene;
+  if (metadata.has("seed")) scene.seed = metadata.at("seed").natural();
+  scene.frame_rate_hz = metadata.at("frame_rate").number();
+  if (!(scene.frame_rate_hz > 0.0)) metadata.at("frame_rate").refuse("must be > 0");
+  const double num_frames = metadata.at("num_frames").number();
+  if (!(num_frames >= 1.0 && num_frames <= 1e6 && num_frames == std::floor(num_frames))) {
+    metadata.at("num_frames").refuse("must be a whole number in 1...1000000");
+  }
+  scene.num_frames = static_cast<int>(num_frames);
+  scene.gravity = metadata.at("gravity").vector<3>();
+  if (!points_down(scene.gravity)) {
+    metadata.at("gravity").refuse("does not point along -z: turn the scene so that z is up");
+  }
+  return scene;
 }
 
 Json to_json(const std::vector<Eigen::Vector3d>& vectors) {
@@ -141,6 +167,7 @@ Json to_json(const RecordedObject& object) {
   if (properties.mass_kg) instance["mass"] = *properties.mass_kg;
   if (properties.friction) instance["friction"] = *properties.friction;
   if (properties.restitution) instance["restitution"] = *properties.restitution;
+  if (object.is_static) instance["static"] = true;
   Json& positions = instance["positions"] = Json::array();
   Json& quaternions = instance["quaternions"] = Json::array();
   for (const RigidTransform& T : object.T_world_object) {
@@ -168,20 +195,14 @@ SceneRecording read_kubric_scene(const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::is_directory(path) ? path / kFileName : path;
   const Json json = parse_file(file);
   const Node root(file, "", json);
-  const Node metadata = root.at("metadata");
-
-  SceneRecording scene;
+  SceneRecording scene = read_metadata(root.at("metadata"));
   scene.name = file.parent_path().filename().string();
-  if (metadata.has("seed")) scene.seed = metadata.at("seed").natural();
-  scene.frame_rate_hz = metadata.at("frame_rate").number();
-  if (!(scene.frame_rate_hz > 0.0)) metadata.at("frame_rate").fail("must be > 0");
-  const double num_frames = metadata.at("num_frames").number();
-  if (!(num_frames >= 1.0 && num_frames <= 1e6)) metadata.at("num_frames").fail("must be in 1...1000000");
-  scene.num_frames = static_cast<int>(num_frames);
-  scene.gravity = metadata.at("gravity").vector<3>();
   const Node instances = root.at("instances");
   for (std::size_t i = 0; i < instances.array_size(); ++i) {
-    scene.objects.push_back(read_object(instances.at(i), static_cast<std::size_t>(scene.num_frames)));
+    const Node instance = instances.at(i);
+    // What stands behind the objects has no mesh that a physics engine takes; the floor z = 0 is always there.
+    if (instance.flag("background", false)) continue;
+    scene.objects.push_back(read_object(instance, static_cast<std::size_t>(scene.num_frames)));
   }
   return scene;
 }

@@ -11,7 +11,9 @@
 namespace rigidformer::scene_archive_format {
 
 constexpr char kFormat[] = "rigidformer_scenes";
-constexpr int kVersion = 1;           // version of the layout; readers refuse others
+/// Version of the layout; readers refuse others. Files say 2 where a reader of version 1 would misread them: scenes of
+/// different lengths, objects that never move.
+constexpr int kPlainVersion = 1, kVersion = 2;
 constexpr std::size_t kPoseSize = 7;  ///< numbers of a pose: x y z qx qy qz qw
 
 [[noreturn]] inline void fail(const std::filesystem::path& path, const std::string& defect) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -51,6 +52,8 @@ class Reader {
     }
     return list;
   }
+
+  bool has(const std::string& tensor) const { return file_.tensors.count(tensor) > 0; }
 
   Json json(const std::string& key) const {
     if (nests_too_deeply(text(key))) fail_here("metadata '" + key + "' is nested too deeply");
@@ -106,6 +109,18 @@ std::vector<Shape> unpack_shapes(const Reader& reader) {
   return shapes;
 }
 
+/// Scenes that end before the others say so.
+int frames_of_scene(const Reader& reader, const Json& entry, int num_frames) {
+  if (!entry.contains("num_frames")) return num_frames;
+  const Json& value = entry.at("num_frames");
+  const std::uint64_t given = value.is_number_unsigned() ? value.get<std::uint64_t>() : 0;
+  if (given < 1 || given > static_cast<std::uint64_t>(num_frames)) {
+    reader.fail_here("scene '" + entry.at("name").get<std::string>() + "' has no num_frames in 1..." +
+                     std::to_string(num_frames));
+  }
+  return static_cast<int>(given);
+}
+
 std::vector<SceneRecording> unpack_scenes(const Reader& reader, int num_frames) {
   std::vector<SceneRecording> scenes;
   for (const Json& entry : reader.json("scenes")) {
@@ -114,9 +129,12 @@ std::vector<SceneRecording> unpack_scenes(const Reader& reader, int num_frames) 
     if (!entry.at("seed").is_number_unsigned()) reader.fail_here("scene '" + scene.name + "' has no integer seed >= 0");
     scene.seed = entry.at("seed").get<std::uint64_t>();
     scene.frame_rate_hz = entry.at("frame_rate_hz").get<double>();
-    scene.num_frames = num_frames;
+    scene.num_frames = frames_of_scene(reader, entry, num_frames);
     for (std::size_t i = 0; i < 3; ++i) scene.gravity[static_cast<int>(i)] = entry.at("gravity").at(i).get<double>();
     if (!(scene.frame_rate_hz > 0.0)) reader.fail_here("scene '" + scene.name + "' has no positive frame rate");
+    if (!points_down(scene.gravity)) {
+      reader.fail_here("scene '" + scene.name + "' has a gravity that does not point along -z: turn it, z must be up");
+    }
     scenes.push_back(std::move(scene));
   }
   return scenes;
@@ -150,6 +168,8 @@ void unpack_objects(const Reader& reader, int num_frames, SceneArchive& archive)
   const auto mass = reader.values<double>("object_mass", TensorType::kFloat64, {n});
   const auto friction = reader.values<double>("object_friction", TensorType::kFloat64, {n});
   const auto restitution = reader.values<double>("object_restitution", TensorType::kFloat64, {n});
+  std::vector<std::int32_t> is_static(scene.size(), 0);
+  if (reader.has("object_static")) is_static = reader.indices("object_static", n, 2);
   const auto poses = reader.values<float>("poses", TensorType::kFloat32, {n, num_frames, kPoseSize});
   for (std::size_t i = 0; i < scene.size(); ++i) {
     if (!(size[i] > 0.0) || std::isinf(size[i])) reader.fail_here("object_size = " + std::to_string(size[i]));
@@ -158,9 +178,11 @@ void unpack_objects(const Reader& reader, int num_frames, SceneArchive& archive)
     object.size = size[i];
     object.properties = {known(reader, "object_mass", mass[i]), known(reader, "object_friction", friction[i]),
                          known(reader, "object_restitution", restitution[i])};
+    object.is_static = is_static[i] == 1;
+    SceneRecording& recording = archive.scenes[static_cast<std::size_t>(scene[i])];
     object.T_world_object =
-        unpack_poses(reader, poses.data() + i * static_cast<std::size_t>(num_frames) * kPoseSize, num_frames);
-    archive.scenes[static_cast<std::size_t>(scene[i])].objects.push_back(std::move(object));
+        unpack_poses(reader, poses.data() + i * static_cast<std::size_t>(num_frames) * kPoseSize, recording.num_frames);
+    recording.objects.push_back(std::move(object));
   }
 }
 
@@ -170,9 +192,10 @@ SceneArchive read_scene_archive(const std::filesystem::path& path) {
   const TensorFile file = read_tensor_file(path);
   const Reader reader(path, file);
   if (file.metadata.count("format") == 0 || reader.text("format") != kFormat) fail(path, "is not a scene archive");
-  if (reader.text("format_version") != std::to_string(kVersion)) {
-    fail(path,
-         "has format version " + reader.text("format_version") + ", this program reads " + std::to_string(kVersion));
+  const std::string version = reader.text("format_version");
+  if (version != std::to_string(kPlainVersion) && version != std::to_string(kVersion)) {
+    fail(path, "has format version " + version + ", this program reads " + std::to_string(kPlainVersion) + " and " +
+                   std::to_string(kVersion));
   }
   const RawTensor& poses = reader.find("poses");
   if (poses.shape.size() != 3 || poses.shape[1] > kMaxFrames) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -38,11 +39,12 @@ void pack_shapes(const SceneArchive& archive, TensorFile& file) {
 
 /// The columns of the object table while they grow.
 struct ObjectColumns {
-  std::vector<std::int32_t> scene, shape;
+  std::vector<std::int32_t> scene, shape, is_static;
   std::vector<double> size, mass, friction, restitution;
   std::vector<float> poses;
 
-  void add(std::size_t scene_index, std::int32_t shape_index, const RecordedObject& object) {
+  /// Poses after the end of the scene repeat the last one.
+  void add(std::size_t scene_index, std::int32_t shape_index, const RecordedObject& object, int num_frames) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // as docs/data_format.md asks for
     scene.push_back(static_cast<std::int32_t>(scene_index));
     shape.push_back(shape_index);
@@ -50,7 +52,9 @@ struct ObjectColumns {
     mass.push_back(object.properties.mass_kg.value_or(kUnknown));
     friction.push_back(object.properties.friction.value_or(kUnknown));
     restitution.push_back(object.properties.restitution.value_or(kUnknown));
-    for (const RigidTransform& T : object.T_world_object) {
+    is_static.push_back(object.is_static ? 1 : 0);
+    for (std::size_t frame = 0; frame < static_cast<std::size_t>(num_frames); ++frame) {
+      const RigidTransform& T = object.T_world_object[std::min(frame, object.T_world_object.size() - 1)];
       for (int i = 0; i < 3; ++i) poses.push_back(static_cast<float>(T.translation[i]));
       for (int i = 0; i < 4; ++i) poses.push_back(static_cast<float>(T.rotation.coeffs()[i]));  // x y z w
     }
@@ -67,19 +71,38 @@ std::map<std::string, std::int32_t> shape_indices(const std::filesystem::path& p
   return indices;
 }
 
+int most_frames(const SceneArchive& archive) {
+  int most = 0;
+  for (const SceneRecording& scene : archive.scenes) most = std::max(most, scene.num_frames);
+  return most;
+}
+
+bool has_other_lengths(const SceneArchive& archive) {
+  return std::any_of(archive.scenes.begin(), archive.scenes.end(),
+                     [&](const SceneRecording& scene) { return scene.num_frames != archive.scenes[0].num_frames; });
+}
+
+bool has_static_objects(const SceneArchive& archive) {
+  return std::any_of(archive.scenes.begin(), archive.scenes.end(), [](const SceneRecording& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const RecordedObject& object) { return object.is_static; });
+  });
+}
+
 void pack_objects(const std::filesystem::path& path, const SceneArchive& archive, TensorFile& file) {
   const std::map<std::string, std::int32_t> indices = shape_indices(path, archive);
-  const int num_frames = archive.scenes.empty() ? 0 : archive.scenes.front().num_frames;
+  const int num_frames = most_frames(archive);
   ObjectColumns columns;
   for (std::size_t s = 0; s < archive.scenes.size(); ++s) {
     for (const RecordedObject& object : archive.scenes[s].objects) {
       const auto index = indices.find(object.shape);
       if (index == indices.end()) fail(path, "shape '" + object.shape + "' is used but not in the archive");
-      if (static_cast<int>(object.T_world_object.size()) != num_frames) {
+      const int of_scene = archive.scenes[s].num_frames;
+      if (of_scene < 1 || static_cast<int>(object.T_world_object.size()) != of_scene) {
         fail(path, "scene " + std::to_string(s) + " has " + std::to_string(object.T_world_object.size()) +
-                       " poses per object, the first scene has " + std::to_string(num_frames));
+                       " poses of an object, its num_frames says " + std::to_string(of_scene));
       }
-      columns.add(s, index->second, object);
+      columns.add(s, index->second, object, num_frames);
     }
   }
   const std::int64_t n = signed_size(columns.scene.size());
@@ -89,6 +112,9 @@ void pack_objects(const std::filesystem::path& path, const SceneArchive& archive
   file.tensors["object_mass"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.mass);
   file.tensors["object_friction"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.friction);
   file.tensors["object_restitution"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.restitution);
+  if (has_static_objects(archive)) {
+    file.tensors["object_static"] = make_raw_tensor(TensorType::kInt32, {n}, columns.is_static);
+  }
   file.tensors["poses"] = make_raw_tensor(TensorType::kFloat32, {n, num_frames, kPoseSize}, columns.poses);
 }
 
@@ -101,9 +127,11 @@ void pack_metadata(const SceneArchive& archive, TensorFile& file) {
                       {"seed", scene.seed},
                       {"frame_rate_hz", scene.frame_rate_hz},
                       {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}}});
+    if (has_other_lengths(archive)) scenes.back()["num_frames"] = scene.num_frames;
   }
+  const bool plain = !has_other_lengths(archive) && !has_static_objects(archive);
   file.metadata["format"] = kFormat;
-  file.metadata["format_version"] = std::to_string(kVersion);
+  file.metadata["format_version"] = std::to_string(plain ? kPlainVersion : kVersion);
   file.metadata["set"] = archive.set;
   file.metadata["shapes"] = shapes.dump();
   file.metadata["scenes"] = scenes.dump();

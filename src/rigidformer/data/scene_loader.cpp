@@ -3,7 +3,9 @@
 #include "rigidformer/data/scene_loader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -117,26 +119,63 @@ std::string set_name(const fs::path& folder) {
   return fs::absolute(folder).lexically_normal().filename().string();
 }
 
-/// Keeps the shapes that the scenes use. Throws when one of them is missing.
-std::vector<Shape> used_shapes(const SceneArchive& archive, const std::vector<Shape>& library, const fs::path& path) {
+/// Names of all shapes that can be had, and how to get those of a list of names. Meshes that no scene uses are not even
+/// looked at.
+struct ShapeSource {
+  std::vector<std::string> names;
+  std::function<Shape(const std::string&)> load;
+};
+
+ShapeSource folder_source(const fs::path& folder) {
+  return {kubasic_shape_names(folder), [folder](const std::string& name) { return load_kubasic_shape(folder / name); }};
+}
+
+ShapeSource list_source(const std::vector<Shape>& shapes) {
+  ShapeSource source;
+  for (const Shape& shape : shapes) source.names.push_back(shape.name);
+  source.load = [&shapes](const std::string& name) {
+    return *std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) { return shape.name == name; });
+  };
+  return source;
+}
+
+/// Loads the shapes that the scenes use. Throws when one of them is missing.
+std::vector<Shape> used_shapes(const SceneArchive& archive, const ShapeSource& source, const fs::path& path) {
   std::set<std::string> names;
   for (const SceneRecording& scene : archive.scenes) {
     for (const RecordedObject& object : scene.objects) names.insert(object.shape);
   }
   std::vector<Shape> used;
   for (const std::string& name : names) {
-    const auto found =
-        std::find_if(library.begin(), library.end(), [&](const Shape& shape) { return shape.name == name; });
-    if (found == library.end()) fail(path, "uses shape '" + name + "', which is not among the given shapes");
-    used.push_back(*found);
+    if (std::find(source.names.begin(), source.names.end(), name) == source.names.end()) {
+      fail(path, "uses shape '" + name + "', which is not among the given shapes");
+    }
+    used.push_back(source.load(name));
   }
   return used;
 }
 
-SceneArchive load_kubric(const fs::path& path, const std::vector<fs::path>& folders, const std::vector<Shape>& shapes,
+/// Makes sizes of the extents that some files give.
+void resolve_extents(SceneArchive& archive, const fs::path& path) {
+  for (SceneRecording& scene : archive.scenes) {
+    for (RecordedObject& object : scene.objects) {
+      if (!object.largest_extent_m) continue;
+      const auto shape = std::find_if(archive.shapes.begin(), archive.shapes.end(),
+                                      [&](const Shape& candidate) { return candidate.name == object.shape; });
+      const double size = *object.largest_extent_m / shape->largest_extent();
+      if (!std::isfinite(size) || size <= 0.0) {
+        fail(path, "scene '" + scene.name + "': the scale of '" + object.shape + "' gives no size: its mesh is empty");
+      }
+      object.size = size;
+      object.largest_extent_m.reset();
+    }
+  }
+}
+
+SceneArchive load_kubric(const fs::path& path, const std::vector<fs::path>& folders, const ShapeSource& source,
                          int max_scenes) {
-  const bool own_shapes = shapes.empty() && fs::is_directory(path / kShapesFolder);
-  if (shapes.empty() && !own_shapes) {
+  const bool own_shapes = source.names.empty() && fs::is_directory(path / kShapesFolder);
+  if (source.names.empty() && !own_shapes) {
     fail(path, "Kubric scenes carry no meshes: give the folder of their shapes in KuBasic layout (--shapes DIR)");
   }
   SceneArchive archive;
@@ -144,28 +183,32 @@ SceneArchive load_kubric(const fs::path& path, const std::vector<fs::path>& fold
   for (const fs::path& folder : folders) {
     if (is_full(archive, max_scenes)) break;
     archive.scenes.push_back(read_kubric_scene(folder));
-    if (archive.scenes.back().num_frames != archive.scenes.front().num_frames) {
-      fail(folder, "has another number of frames than the scenes before");
-    }
   }
-  archive.shapes = used_shapes(archive, own_shapes ? load_kubasic_shapes(path / kShapesFolder) : shapes, path);
+  archive.shapes = used_shapes(archive, own_shapes ? folder_source(path / kShapesFolder) : source, path);
+  resolve_extents(archive, path);
   return archive;
 }
 
-}  // namespace
-
-SceneArchive load_scenes(const fs::path& path, const std::vector<Shape>& shapes, int max_scenes) {
+SceneArchive load(const fs::path& path, const std::function<ShapeSource()>& shapes, int max_scenes) {
   if (!fs::exists(path)) fail(path, "no such file or folder");
   if (!fs::is_directory(path)) return load_archives({path}, max_scenes);
   const std::vector<fs::path> archives = find_archives(path);
   if (!archives.empty()) return load_archives(archives, max_scenes);
   const std::vector<fs::path> folders = find_kubric_scenes(path);
-  if (!folders.empty()) return load_kubric(path, folders, shapes, max_scenes);
+  if (!folders.empty()) return load_kubric(path, folders, shapes(), max_scenes);
   fail(path, "holds neither *.safetensors archives nor folders with a metadata.json");
 }
 
+}  // namespace
+
+SceneArchive load_scenes(const fs::path& path, const std::vector<Shape>& shapes, int max_scenes) {
+  return load(
+      path, [&] { return list_source(shapes); }, max_scenes);
+}
+
 SceneArchive load_scenes(const fs::path& path, const fs::path& shapes_dir, int max_scenes) {
-  return load_scenes(path, shapes_dir.empty() ? std::vector<Shape>{} : load_kubasic_shapes(shapes_dir), max_scenes);
+  return load(
+      path, [&] { return shapes_dir.empty() ? ShapeSource() : folder_source(shapes_dir); }, max_scenes);
 }
 
 }  // namespace rigidformer

@@ -68,6 +68,7 @@ std::vector<std::size_t> objects_to_score(const SceneRecording& scene, const Pro
   const int last = start + *std::max_element(options.horizons.begin(), options.horizons.end());
   std::vector<std::size_t> objects;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (scene.objects[i].is_static) continue;  // nobody predicts it
     if (!options.resting_only || lies_still(scene.objects[i].T_world_object, start, last)) objects.push_back(i);
   }
   return objects;
@@ -140,20 +141,36 @@ class Round {
   double compute_s_ = 0.0, predicted_s_ = 0.0;
 };
 
+bool something_moves(const SceneRecording& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [](const RecordedObject& object) { return !object.is_static; });
+}
+
+/// Frames that a scene must have to be scored from `start`.
+int frames_needed(const ProtocolOptions& options, int start) {
+  return 1 + start + *std::max_element(options.horizons.begin(), options.horizons.end());
+}
+
 std::vector<const SceneRecording*> scenes_to_score(const SceneArchive& archive, const ProtocolOptions& options) {
-  const int needed = 1 + *std::max_element(options.starts.begin(), options.starts.end()) +
-                     *std::max_element(options.horizons.begin(), options.horizons.end());
   std::vector<const SceneRecording*> scenes;
+  int longest = 0;
   for (const SceneRecording& scene : archive.scenes) {
     if (options.max_scenes > 0 && static_cast<int>(scenes.size()) == options.max_scenes) {
       break;
     }
-    require(scene.num_frames >= needed, "scene " + scene.name + " has " + std::to_string(scene.num_frames) +
-                                            " frames, the starts and horizons need " + std::to_string(needed));
-    require(!scene.objects.empty(), "scene " + scene.name + " has no objects");
+    if (!something_moves(scene)) {
+      continue;
+    }
     scenes.push_back(&scene);
+    longest = std::max(longest, scene.num_frames);
   }
-  require(!scenes.empty(), "set " + archive.set + " has no scenes");
+  require(!scenes.empty(), "set " + archive.set + " has no scenes with objects that can move");
+  for (const int start : options.starts) {
+    require(longest >= frames_needed(options, start),
+            "no scene of set " + archive.set + " can be scored from frame " + std::to_string(start) +
+                ": the longest has " + std::to_string(longest) + " frames, start and horizons need " +
+                std::to_string(frames_needed(options, start)));
+  }
   return scenes;
 }
 
@@ -166,6 +183,27 @@ void ProtocolOptions::validate() const {
   require(max_scenes >= 0, "max_scenes is " + std::to_string(max_scenes) + ", must not be negative");
   require(curve_frames >= 0, "curve_frames is " + std::to_string(curve_frames) + ", must not be negative");
   observation.validate();
+}
+
+std::vector<std::string> scenes_left_out(const SceneArchive& archive, const ProtocolOptions& options) {
+  std::vector<std::string> sentences;
+  const auto add = [&](const auto& is_left_out, const std::string& reason) {
+    std::string first;
+    int count = 0;
+    for (const SceneRecording& scene : archive.scenes) {
+      if (is_left_out(scene) && count++ == 0) first = scene.name;
+    }
+    if (count == 0) return;
+    sentences.push_back("set " + archive.set + ": " + std::to_string(count) + " scenes left out (the first is '" +
+                        first + "'): " + reason);
+  };
+  add([](const SceneRecording& scene) { return !something_moves(scene); }, "no object in them can move");
+  for (const int start : options.starts) {
+    const int needed = frames_needed(options, start);
+    add([&](const SceneRecording& scene) { return something_moves(scene) && scene.num_frames < needed; },
+        "start " + std::to_string(start) + " and the horizons need " + std::to_string(needed) + " frames");
+  }
+  return sentences;
 }
 
 std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forecaster*>& forecasters,
@@ -185,8 +223,10 @@ std::vector<Score> evaluate(const SceneArchive& archive, const std::vector<Forec
     for (const int step : options.steps) {
       std::vector<Round> rounds(forecasters.size(), Round(options, start, step));
       for (const SceneRecording* scene : scenes) {
-        const std::vector<std::size_t> scored = objects_to_score(*scene, options, start);
+        const bool reaches = scene->num_frames >= frames_needed(options, start);
+        const auto scored = reaches ? objects_to_score(*scene, options, start) : std::vector<std::size_t>();
         if (scored.empty()) {
+          done += static_cast<long>(forecasters.size()) * rounds.front().num_steps();
           continue;
         }
         const std::vector<ObjectState> objects = observer.observe(*scene, start + step, step);

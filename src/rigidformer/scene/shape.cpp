@@ -16,4 +16,9 @@ Points Shape::vertices() const {
   return all;
 }
 
+double Shape::largest_extent() const {
+  const Points all = vertices();
+  return all.rows() == 0 ? 0.0 : (all.colwise().maxCoeff() - all.colwise().minCoeff()).maxCoeff();
+}
+
 }  // namespace rigidformer

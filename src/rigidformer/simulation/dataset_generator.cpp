@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <locale>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -31,7 +33,10 @@ constexpr char kGenerationFile[] = "generation.json";
 std::string fingerprint(const std::vector<Shape>& shapes) {
   std::string bytes;
   for (const Shape& shape : shapes) {
-    bytes += shape.name + '\0' + std::to_string(shape.mass_kg) + '\0';
+    std::ostringstream mass;
+    mass.imbue(std::locale::classic());  // the same text whatever the language of the machine
+    mass << std::fixed << shape.mass_kg;
+    bytes += shape.name + '\0' + mass.str() + '\0';
     const Points vertices = shape.vertices();
     bytes.append(reinterpret_cast<const char*>(vertices.data()),
                  static_cast<std::size_t>(vertices.size()) * sizeof(float));
@@ -76,6 +81,19 @@ bool is_complete_shard(const fs::path& path, int num_scenes) {
   } catch (const std::runtime_error&) {
     return false;
   }
+}
+
+/// The shapes of a folder that `set` draws from; meshes that it does not draw from may be broken.
+std::vector<Shape> load_library(MoviSet set, const fs::path& folder, std::vector<std::string>& warnings) {
+  const std::vector<std::string> available = kubasic_shape_names(folder);
+  const std::vector<std::string> names = movi_shape_names(set, available);
+  if (names == available) return load_usable_kubasic_shapes(folder, warnings);
+  std::vector<Shape> shapes;
+  for (const std::string& name : names) {
+    if (std::find(available.begin(), available.end(), name) == available.end()) continue;
+    shapes.push_back(load_kubasic_shape(folder / name, &warnings));
+  }
+  return shapes;
 }
 
 class DatasetGenerator {
@@ -150,9 +168,9 @@ void DatasetOptions::validate() const {
 void generate_dataset(const DatasetOptions& options, std::ostream& log) {
   options.validate();
   std::vector<std::string> warnings;
+  const MoviSet set = parse_movi_set(options.set);
   const std::vector<Shape> shapes =
-      movi_shapes(parse_movi_set(options.set),
-                  options.shapes.empty() ? builtin_shapes() : load_kubasic_shapes(options.shapes, &warnings));
+      movi_shapes(set, options.shapes.empty() ? builtin_shapes() : load_library(set, options.shapes, warnings));
   for (const std::string& warning : warnings) log << "warning: " << warning << '\n';
   claim_folder(options, shapes);
   DatasetGenerator generator(options, shapes, log);

@@ -124,13 +124,20 @@ std::string to_string(MoviSet set) {
   return set == MoviSet::kSphere ? "movi_sphere" : set == MoviSet::kA ? "movi_a" : "movi_b";
 }
 
-std::vector<Shape> movi_shapes(MoviSet set, const std::vector<Shape>& library) {
-  if (set == MoviSet::kSphere) return pick(library, {"sphere"});
-  if (set == MoviSet::kA) return pick(library, {"cube", "cylinder", "sphere"});
+std::vector<std::string> movi_shape_names(MoviSet set, const std::vector<std::string>& available) {
+  if (set == MoviSet::kSphere) return {"sphere"};
+  if (set == MoviSet::kA) return {"cube", "cylinder", "sphere"};
   const std::vector<std::string>& names = movi_b_shape_names();
-  const bool complete =
-      std::all_of(names.begin(), names.end(), [&](const std::string& name) { return find(library, name) != nullptr; });
-  return complete ? pick(library, names) : library;
+  const bool complete = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::find(available.begin(), available.end(), name) != available.end();
+  });
+  return complete ? names : available;
+}
+
+std::vector<Shape> movi_shapes(MoviSet set, const std::vector<Shape>& library) {
+  std::vector<std::string> available;
+  for (const Shape& shape : library) available.push_back(shape.name);
+  return pick(library, movi_shape_names(set, available));
 }
 
 BulletSettings movi_bullet_settings(MoviSet set) {

@@ -17,6 +17,16 @@ void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
+template <typename T>
+std::string accepted_as() {
+  if constexpr (std::is_enum_v<T>) return joined(enum_words<T>(), ", ");
+  if constexpr (std::is_same_v<T, bool>) return "true or false";
+  if constexpr (std::is_unsigned_v<T>) return "an integer of at least 0";
+  if constexpr (std::is_integral_v<T>) return "an integer";
+  if constexpr (std::is_floating_point_v<T>) return "a number like 0.001 or 1e-3";
+  return std::is_same_v<T, std::string> ? "a text" : "a list of integers";
+}
+
 /// Reads one YAML mapping into a struct with a table of its members. `name` ends with a dot where it is not empty.
 class Section {
  public:
@@ -73,7 +83,8 @@ class Section {
         value = node.as<T>();
       }
     } catch (const YAML::Exception&) {
-      throw std::invalid_argument("'" + name_ + key + "' has the wrong type: " + YAML::Dump(node));
+      throw std::invalid_argument("'" + name_ + key + "' has the wrong type: it is " + YAML::Dump(node) +
+                                  ", accepted is " + accepted_as<T>());
     }
   }
 

@@ -111,7 +111,7 @@ void for_each_member(TrainingOptions& o, const Visit& visit) {
   visit("log_every", o.log_every, positive(), "iterations between log lines");
   visit("checkpoint_every_s", o.checkpoint_every_s, anything(), "seconds between saved states");
   visit("validate_every_s", o.validate_every_s, anything(), "seconds between validations");
-  visit("validation_scenes", o.validation_scenes, anything(), "per archive folder, for rollouts");
+  visit("validation_scenes", o.validation_scenes, positive(), "per archive folder, for rollouts");
 }
 
 /// Reads a YAML file; keys left out keep their default (the model's preset for `model:`). `extends: FILE` stands for

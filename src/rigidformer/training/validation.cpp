@@ -57,31 +57,50 @@ Pose roll_out(RigidFormer& model, const WindowBatch& windows, int num_steps) {
   return state.current;
 }
 
+/// Errors of position and orientation, of the model and of the ballistic guess, summed over scenes [4].
+Tensor summed_errors(RigidFormer& model, const SceneTensors& tensors, const std::vector<int>& scenes, int start,
+                     const ValidationOptions& options) {
+  Tensor sums = torch::zeros({4}, torch::kFloat64);
+  const auto stride = static_cast<size_t>(options.batch_size);
+  for (size_t begin = 0; begin < scenes.size(); begin += stride) {
+    std::vector<Window> windows;
+    for (size_t i = begin; i < std::min(scenes.size(), begin + stride); ++i) {
+      windows.push_back({scenes[i], start, options.step_size});
+    }
+    const WindowBatch batch = make_window_batch(tensors, windows, options.num_steps, model->options.num_anchors,
+                                                no_augmentation(options.num_points));
+    const Pose& truth = batch.poses.back();
+    const Tensor& scored = batch.scene.dynamic_mask;
+    const Errors errors = pose_errors(roll_out(model, batch, options.num_steps), truth, scored);
+    const Errors guess = pose_errors(ballistic(batch, options.num_steps), truth, scored);
+    sums +=
+        torch::stack({errors.position.sum(), errors.orientation.sum(), guess.position.sum(), guess.orientation.sum()})
+            .to(torch::kCPU, torch::kFloat64);
+  }
+  return sums;
+}
+
 }  // namespace
+
+std::vector<int> scenes_reaching(const SceneTensors& tensors, int start, const ValidationOptions& options) {
+  const std::vector<std::int64_t> frames = tensors.frame_counts();
+  std::vector<int> scenes;
+  for (size_t scene = 0; scene < frames.size(); ++scene) {
+    if (options.last_frame(start) < frames[scene]) scenes.push_back(static_cast<int>(scene));
+  }
+  return scenes;
+}
 
 std::vector<RolloutScore> validate_rollouts(RigidFormer& model, const SceneTensors& tensors, int max_scenes,
                                             const ValidationOptions& options) {
   torch::NoGradGuard no_grad;
   model->eval();
-  const int num_scenes = static_cast<int>(std::min<std::int64_t>(max_scenes, tensors.num_scenes()));
   std::vector<RolloutScore> scores;
   for (const int start : options.start_frames) {
-    Tensor sums = torch::zeros({4}, torch::kFloat64);
-    for (int begin = 0; begin < num_scenes; begin += options.batch_size) {
-      std::vector<Window> windows;
-      for (int scene = begin; scene < std::min(num_scenes, begin + options.batch_size); ++scene) {
-        windows.push_back({scene, start, options.step_size});
-      }
-      const WindowBatch batch = make_window_batch(tensors, windows, options.num_steps, model->options.num_anchors,
-                                                  no_augmentation(options.num_points));
-      const Pose& truth = batch.poses.back();
-      const Errors errors = pose_errors(roll_out(model, batch, options.num_steps), truth, batch.scene.object_mask);
-      const Errors guess = pose_errors(ballistic(batch, options.num_steps), truth, batch.scene.object_mask);
-      sums +=
-          torch::stack({errors.position.sum(), errors.orientation.sum(), guess.position.sum(), guess.orientation.sum()})
-              .to(torch::kCPU, torch::kFloat64);
-    }
-    sums /= num_scenes;
+    std::vector<int> scenes = scenes_reaching(tensors, start, options);
+    if (scenes.empty()) continue;
+    scenes.resize(std::min(scenes.size(), static_cast<size_t>(max_scenes)));
+    const Tensor sums = summed_errors(model, tensors, scenes, start, options) / static_cast<double>(scenes.size());
     scores.push_back(
         {start, sums[0].item<double>(), sums[1].item<double>(), sums[2].item<double>(), sums[3].item<double>()});
   }
@@ -103,7 +122,7 @@ OneStepScore one_step_error(RigidFormer& model, const SceneTensors& tensors, con
   const Tensor q = scene.anchors_reference();
   const Tensor truth = batch.poses[2].apply(q);
   const BaseMotion base = make_base_motion(model->options, scene, state, centre);
-  const Tensor weight = scene.object_mask.to(torch::kFloat32);
+  const Tensor weight = scene.dynamic_mask.to(torch::kFloat32);
   const auto mean_error = [&](const Tensor& predicted) {
     const Tensor error = (predicted - truth).norm(2, -1).mean(-1);
     return ((error * weight).sum() / weight.sum()).item<double>();

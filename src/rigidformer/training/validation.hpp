@@ -26,9 +26,16 @@ struct ValidationOptions {
   int num_steps = 9;     ///< Two frames are given, so that frame start + 10 s = 100 is reached after nine steps
   int num_points = 256;  ///< Surface samples per object
   int batch_size = 64;   ///< Scenes per forward pass
+
+  /// Where a rollout from `start` ends.
+  int last_frame(int start) const { return start + step_size * (num_steps + 1); }
 };
 
-/// Rolls out the first `max_scenes` scenes of `tensors` with the model's current weights, on the tensors' device.
+/// The scenes that are long enough for a rollout from `start`.
+std::vector<int> scenes_reaching(const SceneTensors& tensors, int start, const ValidationOptions& options);
+
+/// Rolls out the first `max_scenes` scenes of `tensors` that are long enough with the model's current weights, on the
+/// tensors' device. Starts that no scene is long enough for have no score; static objects do not count.
 std::vector<RolloutScore> validate_rollouts(RigidFormer& model, const SceneTensors& tensors, int max_scenes,
                                             const ValidationOptions& options);
 

@@ -69,13 +69,14 @@ std::vector<ContactEvent>* list_for(const PoseRows& poses, std::int64_t frame, s
 }
 
 void find_in_scene(const SceneTensors& tensors, std::int64_t scene, ContactEvents& events) {
-  const Tensor scene_poses = tensors.poses[scene], scene_objects = tensors.object_mask[scene];
+  const Tensor scene_poses = tensors.poses[scene], scene_objects = tensors.dynamic_mask[scene];
   const PoseRows poses = scene_poses.accessor<float, 3>();
-  const auto present = scene_objects.accessor<bool, 1>();
+  const auto moves = scene_objects.accessor<bool, 1>();
   const float gravity = tensors.gravity[scene].item<float>();
-  for (std::int64_t k = 0; k < present.size(0); ++k) {
-    if (!present[k]) continue;
-    for (std::int64_t frame = 1; frame + 1 < poses.size(0); ++frame) {
+  const std::int64_t num_frames = tensors.frame_count[scene].item<std::int64_t>();
+  for (std::int64_t k = 0; k < moves.size(0); ++k) {
+    if (!moves[k]) continue;
+    for (std::int64_t frame = 1; frame + 1 < num_frames; ++frame) {
       const auto on_floor = [&] { return lowest_point(tensors, poses, scene, frame, k) < kFloorDistance; };
       std::vector<ContactEvent>* list = list_for(poses, frame, k, gravity, on_floor, events);
       if (list) list->push_back({static_cast<std::int32_t>(scene), static_cast<std::int32_t>(frame)});

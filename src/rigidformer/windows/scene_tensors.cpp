@@ -3,13 +3,17 @@
 #include "rigidformer/windows/scene_tensors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
 #include "rigidformer/geometry/surface_normals.hpp"
+#include "rigidformer/model/batch.hpp"
 #include "rigidformer/scene/mean_material.hpp"
 #include "rigidformer/scene/surface_sampling.hpp"
 
@@ -56,37 +60,50 @@ void store_shapes(SceneTensors& tensors, const std::vector<const Shape*>& shapes
   for (std::thread& worker : workers) worker.join();
 }
 
-double known_or(const std::optional<double>& value, double fallback) { return value.value_or(fallback); }
+/// Mass, friction and restitution, and which of them the recording says.
+void store_properties(SceneTensors& tensors, std::int64_t s, std::int64_t k, const BodyProperties& p) {
+  const std::optional<double> values[] = {p.mass_kg, p.friction, p.restitution};
+  const double means[] = {kMeanMass, kMeanFriction, kMeanRestitution};
+  for (std::int64_t i = 0; i < 3; ++i) {
+    tensors.properties[s][k][i] = values[i].value_or(means[i]);
+    tensors.properties_known[s][k][i] = values[i].has_value() ? 1.0 : 0.0;
+  }
+}
 
 void store_object(SceneTensors& tensors, std::int64_t s, std::int64_t k, const RecordedObject& object,
                   std::int64_t shape) {
   tensors.object_mask[s][k] = true;
   tensors.shape[s][k] = shape;
   tensors.size[s][k] = object.size;
-  const BodyProperties& p = object.properties;
-  tensors.properties[s][k] = torch::tensor(
-      {known_or(p.mass_kg, kMeanMass), known_or(p.friction, kMeanFriction), known_or(p.restitution, kMeanRestitution)},
-      torch::kFloat32);
+  tensors.dynamic_mask[s][k] = !object.is_static;
+  store_properties(tensors, s, k, object.properties);
   const Tensor scene_poses = tensors.poses[s];
   auto poses = scene_poses.accessor<float, 3>();
-  for (size_t frame = 0; frame < object.T_world_object.size(); ++frame) {
-    const RigidTransform& T = object.T_world_object[frame];
-    auto row = poses[static_cast<std::int64_t>(frame)][k];
+  for (std::int64_t frame = 0; frame < poses.size(0); ++frame) {
+    const RigidTransform& T = object.T_world_object[std::min<size_t>(frame, object.T_world_object.size() - 1)];
+    auto row = poses[frame][k];
     for (int axis = 0; axis < 3; ++axis) row[axis] = static_cast<float>(T.translation[axis]);
     for (int part = 0; part < 4; ++part) row[3 + part] = static_cast<float>(T.rotation.coeffs()[part]);
   }
 }
 
+/// Everything that is learned counts time in frames of 1/240 s.
+void check_frame_rate(const SceneArchive& archive, const SceneRecording& scene) {
+  if (std::abs(scene.frame_rate_hz - kFrameRateHz) <= 1e-3 * kFrameRateHz) return;
+  std::ostringstream text;
+  text << "scene '" << scene.name << "' of set '" << archive.set << "': frame_rate is " << scene.frame_rate_hz
+       << ", training accepts " << kFrameRateHz
+       << " frames per second only: record or resample the scenes at that rate";
+  throw std::invalid_argument(text.str());
+}
+
 /// Makes the tensors of all scenes, without objects yet.
 SceneTensors allocate(const std::vector<SceneArchive>& archives) {
-  std::int64_t S = 0, F = -1, K = 0;
+  std::int64_t S = 0, F = 0, K = 0;
   for (const SceneArchive& archive : archives) {
     for (const SceneRecording& scene : archive.scenes) {
-      if (F >= 0 && scene.num_frames != F) {
-        throw std::invalid_argument("scene '" + scene.name + "' has " + std::to_string(scene.num_frames) +
-                                    " frames, others have " + std::to_string(F));
-      }
-      F = scene.num_frames;
+      check_frame_rate(archive, scene);
+      F = std::max<std::int64_t>(F, scene.num_frames);
       K = std::max<std::int64_t>(K, static_cast<std::int64_t>(scene.objects.size()));
       ++S;
     }
@@ -101,6 +118,9 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   tensors.size = torch::ones({S, K});
   tensors.properties = torch::zeros({S, K, 3});
   tensors.gravity = torch::zeros({S});
+  tensors.frame_count = torch::zeros({S}, torch::kInt64);
+  tensors.dynamic_mask = torch::zeros({S, K}, torch::kBool);
+  tensors.properties_known = torch::zeros({S, K, 3});
   return tensors;
 }
 
@@ -108,6 +128,11 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives) {
 
 std::vector<std::int64_t> SceneTensors::object_counts() const {
   const Tensor counts = object_mask.sum(-1).to(torch::kCPU);
+  return {counts.data_ptr<std::int64_t>(), counts.data_ptr<std::int64_t>() + counts.numel()};
+}
+
+std::vector<std::int64_t> SceneTensors::frame_counts() const {
+  const Tensor counts = frame_count.to(torch::kCPU);
   return {counts.data_ptr<std::int64_t>(), counts.data_ptr<std::int64_t>() + counts.numel()};
 }
 
@@ -121,7 +146,10 @@ SceneTensors SceneTensors::to(const torch::Device& device) const {
           shape_points.to(device),
           shape_normals.to(device),
           estimated_normals.to(device),
-          shape_point_count.to(device)};
+          shape_point_count.to(device),
+          frame_count.to(device),
+          dynamic_mask.to(device),
+          properties_known.to(device)};
 }
 
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
@@ -136,6 +164,7 @@ SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const
     }
     for (const SceneRecording& scene : archive.scenes) {
       tensors.gravity[s] = scene.gravity.z();
+      tensors.frame_count[s] = scene.num_frames;
       for (size_t k = 0; k < scene.objects.size(); ++k) {
         store_object(tensors, s, static_cast<std::int64_t>(k), scene.objects[k], index_of.at(scene.objects[k].shape));
       }

@@ -17,7 +17,7 @@ using torch::Tensor;
 /// All scenes of several archives as padded tensors on one device. S scenes, F frames, K objects, Q shapes, P sets,
 /// M points per set.
 struct SceneTensors {
-  Tensor poses;              ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass
+  Tensor poses;  ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass; the last one is repeated
   Tensor object_mask;        ///< [S, K] bool
   Tensor shape;              ///< [S, K] int64 into Q
   Tensor size;               ///< [S, K] scale of the shape
@@ -27,6 +27,9 @@ struct SceneTensors {
   Tensor shape_normals;      ///< [Q, P, M, 3] of the mesh, for what a camera sees
   Tensor estimated_normals;  ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
   Tensor shape_point_count;  ///< [Q, P] int64
+  Tensor frame_count;        ///< [S] int64, at most F: frames after it do not exist
+  Tensor dynamic_mask;       ///< [S, K] bool, objects that move
+  Tensor properties_known;   ///< [S, K, 3] 1 where the recording says them; others hold the means of the MOVi sets
 
   std::int64_t num_scenes() const { return poses.size(0); }
   std::int64_t num_frames() const { return poses.size(1); }
@@ -35,10 +38,13 @@ struct SceneTensors {
   /// Number of objects of every scene.
   std::vector<std::int64_t> object_counts() const;
 
+  /// Number of frames of every scene.
+  std::vector<std::int64_t> frame_counts() const;
+
   SceneTensors to(const torch::Device& device) const;
 };
 
-/// Throws std::invalid_argument when there is no scene, or when scenes differ in their number of frames.
+/// Throws std::invalid_argument when there is no scene, or when one has another frame rate than kFrameRateHz.
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options);
 
 }  // namespace rigidformer

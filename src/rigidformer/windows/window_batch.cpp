@@ -232,10 +232,10 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   WindowBatch batch;
   SceneBatch& scene = batch.scene;
   scene.object_mask = per_object(tensors.object_mask, rows);
-  scene.dynamic_mask = scene.object_mask;
+  scene.dynamic_mask = per_object(tensors.dynamic_mask, rows);
   const Tensor known = random.uniform({B, 1, 1}, like) >= options.unknown_probability;
-  scene.properties_known = torch::ones({B, rows.order.size(1), 3}, like) * known;
-  scene.properties = per_object(tensors.properties, rows) * scene.properties_known;
+  scene.properties_known = per_object(tensors.properties_known, rows) * known;
+  scene.properties = per_object(tensors.properties, rows) * known;
   scene.step_size = rows.step_size;
   scene.ground_height = torch::zeros({B}, like);
   scene.gravity = tensors.gravity.index({rows.scene});

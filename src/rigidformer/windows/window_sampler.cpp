@@ -26,12 +26,12 @@ void check_probability(double value, const std::string& name) {
 }  // namespace
 
 WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
-                             std::vector<std::int64_t> object_counts, std::int64_t num_frames)
+                             std::vector<std::int64_t> object_counts, std::vector<std::int64_t> frame_counts)
     : options_(options),
       events_(std::move(events)),
       object_counts_(std::move(object_counts)),
-      num_scenes_(static_cast<int>(object_counts_.size())),
-      num_frames_(static_cast<int>(num_frames)) {
+      frame_counts_(std::move(frame_counts)),
+      num_scenes_(static_cast<int>(object_counts_.size())) {
   check_probability(options.any_step_probability, "any_step_probability");
   check_probability(options.mid_air_probability, "mid_air_probability");
   check_probability(options.floor_probability, "floor_probability");
@@ -42,19 +42,18 @@ WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
                     "mid_air_probability + floor_probability + rolling_probability + resting_probability");
   if (options.step_sizes.empty()) throw std::invalid_argument("windows.step_sizes is empty");
   const auto [smallest, largest] = std::minmax_element(options.step_sizes.begin(), options.step_sizes.end());
-  if (*smallest < 1 || 2 * *largest >= num_frames_) {
+  const std::int64_t shortest = *std::min_element(frame_counts_.begin(), frame_counts_.end());
+  if (*smallest < 1 || 2 * *largest >= shortest) {
     throw std::invalid_argument("windows.step_sizes must be at least 1 and fit three frames into a scene of " +
-                                std::to_string(num_frames_) + " frames");
+                                std::to_string(shortest) + " frames");
   }
 }
 
-int WindowSampler::draw_step_size(int num_steps, std::mt19937_64& random) const {
+int WindowSampler::draw_step_size(std::mt19937_64& random) const {
   const auto& sizes = options_.step_sizes;
-  const int longest = (num_frames_ - 1) / (num_steps + 1);  // the window must fit into the scene
   const bool any = std::uniform_real_distribution<>()(random) < options_.any_step_probability;
-  const int s = any ? uniform_int(1, *std::max_element(sizes.begin(), sizes.end()), random)
-                    : sizes[static_cast<size_t>(uniform_int(0, static_cast<int>(sizes.size()) - 1, random))];
-  return std::min(s, longest);
+  return any ? uniform_int(1, *std::max_element(sizes.begin(), sizes.end()), random)
+             : sizes[static_cast<size_t>(uniform_int(0, static_cast<int>(sizes.size()) - 1, random))];
 }
 
 /// Draws the kind of moment to choose from; null = any time. A kind that the scenes lack falls back to any time.
@@ -73,15 +72,21 @@ const std::vector<ContactEvent>* WindowSampler::draw_kind(std::mt19937_64& rando
 }
 
 Window WindowSampler::draw(int num_steps, std::mt19937_64& random) const {
-  const int s = draw_step_size(num_steps, random);
-  const int last_start = num_frames_ - 1 - s * (num_steps + 1);
+  const int wanted = draw_step_size(random);
   const std::vector<ContactEvent>* list = draw_kind(random);
-  if (list == nullptr) {
-    return {uniform_int(0, num_scenes_ - 1, random), uniform_int(0, last_start, random), s};
+  const ContactEvent* event =
+      list ? &(*list)[static_cast<size_t>(uniform_int(0, static_cast<int>(list->size()) - 1, random))] : nullptr;
+  const int scene = event ? event->scene : uniform_int(0, num_scenes_ - 1, random);
+  const auto last_frame = static_cast<int>(frame_counts_[static_cast<size_t>(scene)]) - 1;
+  const int s = std::min(wanted, last_frame / (num_steps + 1));
+  if (s < 1) {
+    throw std::invalid_argument("a window of " + std::to_string(num_steps + 2) + " frames does not fit into scene " +
+                                std::to_string(scene) + " of " + std::to_string(last_frame + 1) + " frames");
   }
-  const ContactEvent& event = (*list)[static_cast<size_t>(uniform_int(0, static_cast<int>(list->size()) - 1, random))];
+  const int last_start = last_frame - s * (num_steps + 1);
+  if (!event) return {scene, uniform_int(0, last_start, random), s};
   const int lead = s + uniform_int(0, std::max(s * num_steps - 1, 0), random);
-  return {event.scene, std::clamp(event.frame - lead, 0, last_start), s};
+  return {scene, std::clamp(event->frame - lead, 0, last_start), s};
 }
 
 std::vector<Window> WindowSampler::draw_batch(int batch_size, int num_steps, std::uint64_t seed,

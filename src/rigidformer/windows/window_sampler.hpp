@@ -21,10 +21,12 @@ struct Window {
 /// Draws windows of 2 + num_steps frames. Around a contact, the event lies in the predicted part.
 class WindowSampler {
  public:
-  /// Throws std::invalid_argument naming the option at fault, or when scenes are too short.
+  /// Numbers of objects and of frames are those of every scene. Throws std::invalid_argument naming the option at
+  /// fault, or a scene that is too short.
   WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<std::int64_t> object_counts,
-                std::int64_t num_frames);
+                std::vector<std::int64_t> frame_counts);
 
+  /// Steps are shortened where a window would not fit into its scene. Throws std::invalid_argument where none does.
   Window draw(int num_steps, std::mt19937_64& random) const;
 
   /// Draws the windows of one training iteration. Iterations come in groups whose windows are sorted by their
@@ -33,13 +35,13 @@ class WindowSampler {
   std::vector<Window> draw_batch(int batch_size, int num_steps, std::uint64_t seed, std::int64_t iteration) const;
 
  private:
-  int draw_step_size(int num_steps, std::mt19937_64& random) const;
+  int draw_step_size(std::mt19937_64& random) const;
   const std::vector<ContactEvent>* draw_kind(std::mt19937_64& random) const;
 
   WindowOptions options_;
   ContactEvents events_;
-  std::vector<std::int64_t> object_counts_;  ///< Number of objects of every scene
-  int num_scenes_, num_frames_;
+  std::vector<std::int64_t> object_counts_, frame_counts_;  ///< Numbers of every scene
+  int num_scenes_;
 };
 
 }  // namespace rigidformer

@@ -182,7 +182,7 @@ TEST_P(PhysicsEngine, RefusesWhatItCannotSimulate) {
   bad = rollout;
   bad.ground_height_m.reset();
   EXPECT_THROW(forecast({object}, bad), std::invalid_argument);
-  object.mode = MotionMode::kStatic;
+  object.mode = MotionMode::kKinematic;
   EXPECT_THROW(forecast({object}, rollout), std::invalid_argument);
   object.mode = MotionMode::kDynamic;
   object.points_reference = Points::Zero(3, 3);
@@ -191,6 +191,20 @@ TEST_P(PhysicsEngine, RefusesWhatItCannotSimulate) {
 
 INSTANTIATE_TEST_SUITE_P(Engines, PhysicsEngine, testing::ValuesIn(physics_engine_names()),
                          [](const auto& engine) { return engine.param; });
+
+TEST(StaticObjects, P41_StayInTheAirAndCarryOthersInBulletAndAreRefusedByMujoco) {
+  const RolloutOptions rollout = rollout_of(10, 10);
+  ObjectState table = resting_object(box_cloud({1.0, 1.0, 0.2}), {0.0, 0.0, 1.0});
+  table.id = "table";
+  table.mode = MotionMode::kStatic;
+  const ObjectState cube = resting_object(box_cloud({0.4, 0.4, 0.4}), {0.0, 0.0, 1.3});
+  const auto poses = make_physics_engine("bullet")->forecast({table, cube}, rollout);
+  EXPECT_NEAR(poses[0].back().translation.z(), 1.0, 1e-6);
+  EXPECT_NEAR(poses[1].back().translation.z(), 1.3, 0.03);
+  const std::vector<std::string> names = physics_engine_names();
+  if (std::find(names.begin(), names.end(), "mujoco") == names.end()) return;
+  EXPECT_THROW(make_physics_engine("mujoco")->forecast({table, cube}, rollout), std::invalid_argument);
+}
 
 TEST(PhysicsEngineNames, UnknownOnesAreRefused) { EXPECT_THROW(make_physics_engine("newton"), std::invalid_argument); }
 

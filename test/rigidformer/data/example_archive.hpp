@@ -97,7 +97,7 @@ inline SceneArchive example_archive(int num_frames = 5) {
     scene.seed = 40 + static_cast<std::uint64_t>(s);
     scene.num_frames = num_frames;
     scene.frame_rate_hz = 120.0;
-    scene.gravity = {0.0, 0.5, -9.0};
+    scene.gravity = {0.0, 0.0, -9.0};
     for (int i = 0; i <= s; ++i) scene.objects.push_back(example_object(s + 0.5 * i, num_frames));
     archive.scenes.push_back(scene);
   }

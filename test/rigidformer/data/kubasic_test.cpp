@@ -75,6 +75,24 @@ TEST(Kubasic, BrokenGeometryIsAClearError) {
   EXPECT_NE(error_for_obj(corners + "v 1 1 1\n" + faces).find("not convex"), std::string::npos);
 }
 
+TEST(Kubasic, P43_BackgroundsAndUnusableShapesAreLeftOutByName) {
+  const TemporaryFolder folder;
+  write_kubasic_shape(folder.path(), tetrahedron("good"));
+  write_kubasic_shape(folder.path(), tetrahedron("sky"));
+  write_text(folder.path() / "sky" / "data.json", R"({"kwargs": {"mass": 0.0, "background": true}})");
+  write_text(folder.path() / "torn" / "collision_geometry.obj", "v 0 0 0\n");
+  std::vector<std::string> warnings;
+  const std::vector<Shape> shapes = load_usable_kubasic_shapes(folder.path(), warnings);
+  ASSERT_EQ(shapes.size(), 1u);
+  EXPECT_EQ(shapes[0].name, "good");
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("sky' is a background"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[1].find("torn/collision_geometry.obj"), std::string::npos) << warnings[1];
+  std::filesystem::remove_all(folder.path() / "good");
+  EXPECT_NE(error_of([&] { load_usable_kubasic_shapes(folder.path(), warnings); }).find("no usable shape"),
+            std::string::npos);
+}
+
 TEST(Kubasic, AFolderWithoutShapesIsAnError) {
   const TemporaryFolder folder;
   EXPECT_NE(error_of([&] { load_kubasic_shapes(folder.path()); }), "");

@@ -54,6 +54,54 @@ TEST(Kubric, QuaternionsAreStoredWithTheScalarFirstAndOptionalKeysMayBeAbsent) {
   EXPECT_TRUE(object.velocities.empty());
 }
 
+/// The example scene with one key of its only instance (or, from the root on, another place) set to JSON text.
+SceneRecording scene_with(const std::string& pointer, const std::string& value) {
+  const TemporaryFolder folder;
+  nlohmann::json scene = nlohmann::json::parse(kScene);
+  scene[nlohmann::json::json_pointer(pointer)] = nlohmann::json::parse(value);
+  write_text(folder.path() / "metadata.json", scene.dump());
+  return read_kubric_scene(folder.path());
+}
+
+TEST(Kubric, P40_ScaleIsAnExtentAsANumberAndAFactorPerAxis) {
+  const RecordedObject extent = scene_with("/instances/0/scale", "2.5").objects.at(0);
+  EXPECT_EQ(extent.largest_extent_m, 2.5);
+  const RecordedObject factors = scene_with("/instances/0/scale", "[2.5, 2.5, 2.5]").objects.at(0);
+  EXPECT_FALSE(factors.largest_extent_m.has_value());
+  EXPECT_EQ(factors.size, 2.5);
+  EXPECT_EQ(scene_with("/instances/0/size", "[0.5, 0.5, 0.5]").objects.at(0).size, 0.5);
+}
+
+TEST(Kubric, P41_BackgroundsAreLeftOutWhateverElseTheyHold) {
+  EXPECT_TRUE(scene_with("/instances/0", R"({"background": true, "asset_id": "dome"})").objects.empty());
+  EXPECT_EQ(scene_with("/instances/0/background", "false").objects.size(), 1u);
+}
+
+TEST(Kubric, P41_WhatIsSaidToBeStaticAndStaysIsStatic) {
+  const std::string still = R"([[0.6, 0.8, 0, 0], [0.6, 0.8, 0, 0]])";
+  nlohmann::json instance = nlohmann::json::parse(kScene)["instances"][0];
+  instance["quaternions"] = nlohmann::json::parse(still);
+  const auto is_static = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json marked = instance;
+    marked[key] = value;
+    return scene_with("/instances/0", marked.dump()).objects.at(0).is_static;
+  };
+  EXPECT_FALSE(is_static("is_dynamic", true));
+  EXPECT_TRUE(is_static("is_dynamic", false));
+  EXPECT_TRUE(is_static("static", true));
+  EXPECT_TRUE(is_static("is_static", 1));
+  EXPECT_TRUE(is_static("mass", 0));
+  EXPECT_FALSE(is_static("mass", 2.0));
+  EXPECT_FALSE(is_static("mass", nullptr));
+  // MOVi-D to F: lies about at first, and is hit later.
+  EXPECT_FALSE(scene_with("/instances/0/is_dynamic", "false").objects.at(0).is_static);
+}
+
+TEST(Kubric, P42_AnyFrameRateIsCarried) {
+  EXPECT_EQ(scene_with("/metadata/frame_rate", "12").frame_rate_hz, 12.0);
+  EXPECT_EQ(scene_with("/metadata/gravity", "[0, 0, 0]").gravity.norm(), 0.0);
+}
+
 struct Defect {
   const char* pointer;      ///< JSON pointer to what is replaced
   const char* replacement;  ///< JSON text that replaces it; empty = it is removed
@@ -82,9 +130,22 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Defect{"/metadata", nullptr, "metadata is missing"},
                       Defect{"/metadata/num_frames", "3", "instances[0].positions has 2 entries"},
                       Defect{"/metadata/num_frames", "-1", "metadata.num_frames"},
-                      Defect{"/metadata/frame_rate", "\"fast\"", "metadata.frame_rate is not a number"},
-                      Defect{"/metadata/seed", "-1e300", "metadata.seed is not an integer"},
+                      Defect{"/metadata/frame_rate", "\"fast\"", "metadata.frame_rate = \"fast\" is not a number"},
+                      Defect{"/metadata/seed", "-1e300", "is not an integer >= 0"},
+                      Defect{"/metadata/frame_rate", "\"240\"", "= \"240\" is not a number"},
+                      Defect{"/metadata/frame_rate", "0", "metadata.frame_rate = 0 must be > 0"},
+                      Defect{"/metadata/num_frames", "1.5", "metadata.num_frames = 1.5 must be a whole number"},
                       Defect{"/metadata/gravity", "[0, -10]", "metadata.gravity"},
+                      Defect{"/metadata/gravity", "[0, -9.81, 0]", "does not point along -z"},
+                      Defect{"/metadata/gravity", "[0, 0, 9.81]", "does not point along -z"},
+                      Defect{"/instances/0/scale", "[1, 1, 2]", "instances[0].scale = [1,1,2] of 'cube' differs"},
+                      Defect{"/instances/0/scale", "\"big\"", "instances[0].scale = \"big\" is not a number"},
+                      Defect{"/instances/0/scale", "-1", "instances[0].scale = -1 of 'cube' must be > 0"},
+                      Defect{"/instances/0/static", "true", "instances[0].static = true but the object moves"},
+                      Defect{"/instances/0/static", "\"no\"", "is neither true nor false"},
+                      Defect{"/instances/0/mass", "0", "instances[0].mass = 0 but the object moves"},
+                      Defect{"/instances/0/mass", "\"2 kg\"", "instances[0].mass = \"2 kg\" is not a number"},
+                      Defect{"/instances/0/restitution", "1.5", "accepted is 0 to 1"},
                       Defect{"/instances", "{}", "instances is not a list"},
                       Defect{"/instances/0/asset_id", nullptr, "instances[0].asset_id is missing"},
                       Defect{"/instances/0/mass", "-1", "instances[0].mass"},

@@ -53,11 +53,30 @@ TEST(SceneArchive, RefusesToWriteAnUnknownShape) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.safetensors"));
 }
 
-TEST(SceneArchive, RefusesScenesOfDifferentLength) {
+TEST(SceneArchive, P45_ScenesKeepTheirOwnLengths) {
+  const TemporaryFolder folder;
+  SceneArchive archive = example_archive(5);
+  archive.scenes.push_back(example_archive(9).scenes[1]);
+  write_scene_archive(folder.path() / "a.safetensors", archive);
+  const SceneArchive read = read_scene_archive(folder.path() / "a.safetensors");
+  ASSERT_EQ(read.scenes.size(), 3u);
+  for (std::size_t s = 0; s < 3; ++s) {
+    EXPECT_EQ(read.scenes[s].num_frames, archive.scenes[s].num_frames);
+    EXPECT_LT(pose_difference(read.scenes[s].objects[0], archive.scenes[s].objects[0]), 1e-3);
+  }
+  archive.scenes[0].objects[0].T_world_object.pop_back();
+  EXPECT_NE(error_of([&] { write_scene_archive(folder.path() / "a.safetensors", archive); }).find("num_frames says 5"),
+            std::string::npos);
+}
+
+TEST(SceneArchive, P41_ObjectsThatNeverMoveStayStatic) {
   const TemporaryFolder folder;
   SceneArchive archive = example_archive();
-  archive.scenes[1].objects[0].T_world_object.pop_back();
-  EXPECT_NE(error_of([&] { write_scene_archive(folder.path() / "a.safetensors", archive); }), "");
+  archive.scenes[1].objects[1].is_static = true;
+  write_scene_archive(folder.path() / "a.safetensors", archive);
+  const SceneArchive read = read_scene_archive(folder.path() / "a.safetensors");
+  EXPECT_FALSE(read.scenes[1].objects[0].is_static);
+  EXPECT_TRUE(read.scenes[1].objects[1].is_static);
 }
 
 /// Writes a good archive, lets `damage` change its tensors, and returns the error of reading it.
@@ -85,6 +104,14 @@ TEST(SceneArchive, NamesTheDefect) {
   expect_mentions(error_after([](TensorFile& f) { f.metadata["format"] = "other"; }), "not a scene archive");
   expect_mentions(error_after([](TensorFile& f) { f.metadata["format_version"] = "99"; }), "version 99");
   expect_mentions(error_after([](TensorFile& f) { f.metadata["scenes"] = "[{"; }), "metadata");
+  const auto with_scene = [](const std::string& from, const std::string& to) {
+    return error_after([&](TensorFile& f) {
+      std::string& scenes = f.metadata["scenes"];
+      scenes.replace(scenes.find(from), from.size(), to);
+    });
+  };
+  expect_mentions(with_scene("[0.0,0.0,-9.0]", "[0.0,-9.0,0.0]"), "does not point along -z");
+  expect_mentions(with_scene("\"seed\"", "\"num_frames\":6,\"seed\""), "no num_frames in 1...5");
   expect_mentions(error_after([](TensorFile& f) { f.metadata["scenes"] = "[]"; }), "object_scene");
   expect_mentions(error_after([](TensorFile& f) { f.tensors.erase("poses"); }), "'poses' is missing");
   expect_mentions(error_after([](TensorFile& f) { f.tensors["object_size"].shape = {1, 3}; }), "object_size");

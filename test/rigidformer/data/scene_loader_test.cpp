@@ -71,6 +71,45 @@ TEST(SceneLoader, KubricScenesNeedTheirShapes) {
   EXPECT_EQ(load_scenes(folder.path(), folder.path() / "shapes").scenes.size(), 2u);
 }
 
+TEST(SceneLoader, P40_AScaleBecomesASizeOnceTheMeshIsKnown) {
+  const TemporaryFolder folder;
+  write_kubric_folders(folder.path());
+  std::string text;
+  std::ifstream(folder.path() / "2" / "metadata.json") >> text;
+  const std::size_t at = text.find("\"size\"");
+  ASSERT_NE(at, std::string::npos);
+  write_text(folder.path() / "2" / "metadata.json", text.replace(at, 6, "\"scale\""));
+  Shape shape = tetrahedron();
+  shape.parts[0].vertices *= 0.1F;
+  const RecordedObject object = load_scenes(folder.path() / "2", {shape}).scenes[0].objects[0];
+  EXPECT_NEAR(object.size, 10.0 * example_archive().scenes[0].objects[0].size, 1e-6);
+  EXPECT_FALSE(object.largest_extent_m.has_value());
+}
+
+TEST(SceneLoader, P43_MeshesThatNoSceneUsesMayBeBroken) {
+  const TemporaryFolder folder;
+  write_kubric_folders(folder.path() / "scenes");
+  write_kubasic_shape(folder.path() / "shapes", tetrahedron());
+  write_text(folder.path() / "shapes" / "dome" / "collision_geometry.obj", "v 0 0\n");
+  EXPECT_EQ(load_scenes(folder.path() / "scenes", folder.path() / "shapes").scenes.size(), 2u);
+  // One that is used is an error that names it.
+  std::filesystem::copy_file(folder.path() / "shapes" / "dome" / "collision_geometry.obj",
+                             folder.path() / "shapes" / "tetrahedron" / "collision_geometry.obj",
+                             std::filesystem::copy_options::overwrite_existing);
+  const std::string error = error_of([&] { load_scenes(folder.path() / "scenes", folder.path() / "shapes"); });
+  EXPECT_NE(error.find("tetrahedron/collision_geometry.obj': line 1"), std::string::npos) << error;
+}
+
+TEST(SceneLoader, P45_ScenesMayHaveDifferentLengths) {
+  const TemporaryFolder folder;
+  write_kubric_scene(folder.path() / "1", example_archive(7).scenes[0]);
+  write_kubric_scene(folder.path() / "2", example_archive(4).scenes[1]);
+  const SceneArchive archive = load_scenes(folder.path(), {tetrahedron()});
+  ASSERT_EQ(archive.scenes.size(), 2u);
+  EXPECT_EQ(archive.scenes[0].num_frames, 7);
+  EXPECT_EQ(archive.scenes[1].num_frames, 4);
+}
+
 TEST(SceneLoader, MissingAndEmptyPlacesAreErrors) {
   const TemporaryFolder folder;
   EXPECT_NE(error_of([&] { load_scenes(folder.path(), kNoShapes); }).find("holds neither"), std::string::npos);

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "rigidformer/evaluation/ballistic.hpp"
 #include "rigidformer/evaluation/flying_cubes.hpp"
@@ -165,6 +167,62 @@ TEST(Protocol, DriftCountsOnlyWhatLiesStill) {
   EXPECT_NEAR(scores[1].error.position_rmse_m, 0.09, 1e-9);
   options.starts = {0};
   EXPECT_THROW(evaluate(archive, {&drifting}, options), std::invalid_argument);  // the objects still fly at frame 0
+}
+
+TEST(Protocol, P45_EveryScoreIsAMeanOverTheScenesThatReachItsHorizons) {
+  BallisticForecaster ballistic;
+  ProtocolOptions options;
+  options.starts = {0, 30};
+  options.steps = {10};
+  options.horizons = {50, 100};
+  SceneArchive archive = flying_set(1, 140);
+  archive.scenes.push_back(flying_cubes(1, 110));
+  archive.scenes.push_back(flying_cubes(0, 140));
+  archive.scenes.push_back(flying_cubes(1, 60));
+  const auto scores = evaluate(archive, {&ballistic}, options);
+  ASSERT_EQ(scores.size(), 4U);
+  EXPECT_EQ(scores[0].num_scenes, 2);
+  EXPECT_EQ(scores[1].num_scenes, 2);
+  EXPECT_EQ(scores[2].num_scenes, 1);
+  const std::vector<std::string> sentences = scenes_left_out(archive, options);
+  ASSERT_EQ(sentences.size(), 3U);  // one without objects, one too short for start 0, two for start 30
+  EXPECT_NE(sentences[0].find("no object in them can move"), std::string::npos) << sentences[0];
+  EXPECT_NE(sentences[2].find("2 scenes left out"), std::string::npos) << sentences[2];
+  options.starts = {60};
+  EXPECT_THROW(evaluate(archive, {&ballistic}, options), std::invalid_argument);
+}
+
+TEST(Protocol, P42_AnotherFrameRateIsAnotherTimeStep) {
+  class TimeStep : public BallisticForecaster {
+   public:
+    std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
+                                                      const RolloutOptions& rollout) override {
+      time_step_s = rollout.time_step_s;
+      return BallisticForecaster::forecast(objects, rollout);
+    }
+    double time_step_s = 0.0;
+  } forecaster;
+  ProtocolOptions options;
+  options.starts = {0};
+  options.steps = {5};
+  SceneArchive archive = flying_set(1, 140);
+  archive.scenes[0].frame_rate_hz = 60.0;
+  evaluate(archive, {&forecaster}, options);
+  EXPECT_NEAR(forecaster.time_step_s, 5.0 / 60.0, 1e-12);
+}
+
+TEST(Protocol, P41_StaticObjectsAreSeenButNotScored) {
+  DriftingForecaster drifting;
+  ProtocolOptions options;
+  options.starts = {0};
+  options.steps = {10};
+  options.horizons = {50};
+  SceneArchive archive = flying_set(1, 60);
+  archive.scenes[0].objects[1].is_static = true;
+  std::vector<SceneResult> results;
+  const auto scores = evaluate(archive, {&drifting}, options, {}, [&](const SceneResult& r) { results.push_back(r); });
+  EXPECT_EQ(results.at(0).predicted.size(), 2U);
+  EXPECT_NEAR(scores.at(0).error.position_rmse_m, 4.0, 1e-9);
 }
 
 TEST(Protocol, RefusesScenesThatAreTooShortAndBadOptions) {

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "rigidformer/data/kubasic.hpp"
 #include "rigidformer/data/scene_loader.hpp"
+#include "rigidformer/simulation/builtin_shapes.hpp"
 
 namespace rigidformer {
 namespace {
@@ -84,6 +86,24 @@ TEST_F(DatasetGenerator, KubricFoldersHoldTheSameScenesAndResume) {
     EXPECT_LT((x.translation - y.translation).norm(), 1e-5);
     EXPECT_LT(rotation_angle(x.rotation, y.rotation), 1e-3);
   }
+}
+
+TEST_F(DatasetGenerator, P43_MeshesThatTheSetDoesNotDrawFromMayBeBroken) {
+  DatasetOptions sphere = options();
+  sphere.num_scenes = 1;
+  sphere.movi.num_frames = 2;
+  sphere.shapes = folder_ / "library";
+  for (const Shape& shape : movi_shapes(MoviSet::kA, builtin_shapes())) write_kubasic_shape(sphere.shapes, shape);
+  fs::create_directories(sphere.shapes / "dome");
+  std::ofstream(sphere.shapes / "dome" / "collision_geometry.obj") << "v 0 0 1\nf 1 2 3\n";
+  generate_dataset(sphere, log_);
+  EXPECT_EQ(log_.str().find("dome"), std::string::npos) << log_.str();
+  DatasetOptions any = sphere;
+  any.set = "movi_b";
+  any.output = folder_ / "any";
+  generate_dataset(any, log_);
+  EXPECT_NE(log_.str().find("dome/collision_geometry.obj': line 2"), std::string::npos) << log_.str();
+  EXPECT_EQ(load_scenes(any.output, std::vector<Shape>{}).shapes.size(), 3u);
 }
 
 TEST_F(DatasetGenerator, RefusesToMixData) {

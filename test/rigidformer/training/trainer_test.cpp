@@ -15,6 +15,7 @@
 #include "rigidformer/training/quiet_terminal.hpp"
 #include "rigidformer/training/simulated_scenes.hpp"
 #include "rigidformer/training/training_data.hpp"
+#include "rigidformer/windows/window_scenes.hpp"
 
 namespace rigidformer {
 namespace {
@@ -117,6 +118,38 @@ TEST_F(TrainerTest, LeavesModelStateLogAndValidation) {
   EXPECT_EQ(facts.windows, 10 * options_.batch_size);
   EXPECT_GT(facts.max_speed_mps, 1.0);
   EXPECT_GT(facts.max_diameter_m, facts.min_diameter_m);
+}
+
+TEST_F(TrainerTest, P45_ValidationScenesThatAreTooShortAreNamed) {
+  options_.iterations = 2;
+  TrainingPaths with_validation = paths("out");
+  with_validation.validation = {folder_.path() / "short.safetensors"};
+  write_scene_archive(with_validation.validation[0], flying_cubes_archive({1, 2}, 90));
+  const auto train_it = [&] { train(options_, with_validation, {"cpu", 1, 0.0, false}); };
+  const std::string error = error_of(train_it);
+  EXPECT_NE(error.find("short.safetensors': rollouts from frame 0 need scenes of 101 frames, the longest has 90"),
+            std::string::npos)
+      << error;
+  // One that is long enough for the first start; what lies behind it must not be read.
+  SceneArchive mixed = flying_cubes_archive({1, 2}, 90);
+  mixed.scenes.push_back(flying_cubes(1, 130));
+  write_scene_archive(with_validation.validation[0], mixed);
+  ASSERT_EQ(error_of(train_it), "");
+  std::ifstream in(folder_.path() / "out" / "validation.log");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(text.find("start 0"), std::string::npos) << text;
+  EXPECT_EQ(text.find("start 120"), std::string::npos) << text;
+}
+
+TEST_F(TrainerTest, P45_ScenesWithoutObjectsAndShortOnesDoNotStopTheRun) {
+  options_.iterations = 2;
+  SceneArchive mixed = flying_cubes_archive({1, 2}, 90);
+  mixed.scenes.push_back(flying_cubes(0, 90));
+  mixed.scenes.push_back(flying_cubes(1, 5));
+  mixed.scenes.push_back(flying_cubes(1, 40));
+  write_scene_archive(data_, mixed);
+  run("out");
+  EXPECT_EQ(load_checkpoint(model_file("out")).facts.data, "flying_cubes 3");
 }
 
 TEST_F(TrainerTest, ResumingAnotherModelIsRefused) {

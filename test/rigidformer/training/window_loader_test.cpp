@@ -14,7 +14,7 @@ TEST(WindowLoader, AWindowDoesNotDependOnWhenItIsAssembled) {
   TrainingData data;
   data.training = make_scene_tensors({flying_cubes_archive({1, 2, 3}, 60)}, {4, 64, 1});
   data.sampler = std::make_shared<WindowSampler>(WindowOptions{}, ContactEvents{}, data.training.object_counts(),
-                                                 data.training.num_frames());
+                                                 data.training.frame_counts());
   TrainingOptions options;
   options.batch_size = 4;
   options.augmentation.max_points = 32;

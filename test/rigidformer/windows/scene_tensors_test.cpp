@@ -14,7 +14,9 @@ namespace rigidformer {
 namespace {
 
 TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
-  const SceneTensors tensors = make_scene_tensors({flying_cubes_archive({1, 3}, 20), example_archive(20)}, {3, 50, 1});
+  SceneArchive example = example_archive(20);
+  for (SceneRecording& scene : example.scenes) scene.frame_rate_hz = 240.0;
+  const SceneTensors tensors = make_scene_tensors({flying_cubes_archive({1, 3}, 20), example}, {3, 50, 1});
   EXPECT_EQ(tensors.num_scenes(), 4);
   EXPECT_EQ(tensors.num_frames(), 20);
   EXPECT_EQ(tensors.max_objects(), 3);
@@ -29,12 +31,23 @@ TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
   EXPECT_LT(largest_difference(tensors.shape_normals.slice(1, 1).norm(2, -1), torch::ones({2, 2, 50})), 1e-5);
 }
 
-TEST(SceneTensorsTest, RefusesNoScenesAndMixedLengths) {
-  EXPECT_THROW(make_scene_tensors({}, {}), std::invalid_argument);
-  const std::string error = error_of([] {
-    make_scene_tensors({flying_cubes_archive({1}, 20), flying_cubes_archive({1}, 21)}, {});
-  });
-  EXPECT_NE(error.find("21"), std::string::npos) << error;
+TEST(SceneTensorsTest, RefusesNoScenes) { EXPECT_THROW(make_scene_tensors({}, {}), std::invalid_argument); }
+
+TEST(SceneTensorsTest, P46_OtherFrameRatesAreRefusedByName) {
+  SceneArchive archive = flying_cubes_archive({1, 1}, 30);
+  archive.scenes[1].name = "slow";
+  archive.scenes[1].frame_rate_hz = 12.0;
+  const std::string error = error_of([&] { make_scene_tensors({archive}, {2, 16, 1}); });
+  EXPECT_NE(error.find("scene 'slow' of set 'flying_cubes': frame_rate is 12"), std::string::npos) << error;
+  EXPECT_NE(error.find("240"), std::string::npos) << error;
+}
+
+TEST(SceneTensorsTest, P45_ShortScenesArePaddedWithTheirLastPose) {
+  SceneArchive archive = flying_cubes_archive({1, 1}, 30);
+  archive.scenes[0] = flying_cubes(1, 25);
+  const SceneTensors tensors = make_scene_tensors({archive}, {2, 16, 1});
+  EXPECT_EQ(tensors.frame_counts(), (std::vector<std::int64_t>{25, 30}));
+  EXPECT_TRUE(torch::equal(tensors.poses[0][29], tensors.poses[0][24]));
 }
 
 }  // namespace

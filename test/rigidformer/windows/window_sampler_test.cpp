@@ -25,7 +25,7 @@ bool same(const std::vector<Window>& a, const std::vector<Window>& b) {
 }
 
 WindowSampler sampler(const WindowOptions& options, ContactEvents events = {}) {
-  return WindowSampler(options, std::move(events), {3, 1, 4, 2}, kFrames);
+  return WindowSampler(options, std::move(events), {3, 1, 4, 2}, std::vector<std::int64_t>(4, kFrames));
 }
 
 TEST(WindowSamplerTest, WindowsFitIntoTheScene) {
@@ -119,6 +119,27 @@ TEST(WindowSamplerTest, WithoutEventsWindowsAreUniform) {
   EXPECT_EQ(scenes.size(), 4u);
 }
 
+TEST(WindowSamplerTest, P45_WindowsEndWithTheirOwnScene) {
+  const std::vector<std::int64_t> frames = {100, 21, 50, 30};
+  WindowOptions options;
+  options.any_step_probability = 0.3;
+  options.floor_probability = 0.5;
+  const WindowSampler draws(options, {{}, {{1, 19}, {3, 28}}, {}, {}}, {3, 1, 4, 2}, frames);
+  std::mt19937_64 random(6);
+  for (const int num_steps : {1, 4, 19}) {
+    for (int i = 0; i < 1000; ++i) {
+      const Window window = draws.draw(num_steps, random);
+      ASSERT_GE(window.frame, 0);
+      ASSERT_GE(window.step_size, 1);
+      ASSERT_LT(window.frame + (num_steps + 1) * window.step_size, frames[static_cast<size_t>(window.scene)]);
+    }
+  }
+  const std::string error = error_of([&] {
+    for (int i = 0; i < 1000; ++i) draws.draw(25, random);
+  });
+  EXPECT_NE(error.find("a window of 27 frames does not fit into scene 1 of 21 frames"), std::string::npos) << error;
+}
+
 TEST(WindowSamplerTest, BatchesFollowFromSeedAndIteration) {
   const WindowSampler draws = sampler({});
   for (const std::int64_t iteration : {0, 1, 8, 1000}) {
@@ -184,6 +205,19 @@ TEST_F(ContactEventsTest, FreeFlightHasNone) {
   EXPECT_TRUE(events.floor.empty());
   EXPECT_TRUE(events.rolling.empty());
   EXPECT_TRUE(events.resting.empty());
+}
+
+TEST_F(ContactEventsTest, P45_NothingHappensAfterTheEndOfAShortScene) {
+  const SceneRecording rest = moving_cube(20, [](double) { return Eigen::Vector3d(1.0, 2.0, 0.5); });
+  const ContactEvents events = find({rest, flying_cubes(1, 120)});
+  ASSERT_EQ(events.resting.size(), 2u);  // frames 8 and 16
+  EXPECT_TRUE(events.mid_air.empty());   // the padding does not look like a stop
+}
+
+TEST_F(ContactEventsTest, P41_StaticObjectsAreNoEvents) {
+  SceneRecording rest = moving_cube(20, [](double) { return Eigen::Vector3d(1.0, 2.0, 0.5); });
+  rest.objects[0].is_static = true;
+  EXPECT_TRUE(find({rest}).resting.empty());
 }
 
 TEST_F(ContactEventsTest, RestAndRollingAreToldApart) {

@@ -9,10 +9,11 @@ int main(int argc, char** argv) {
   ros::NodeHandle node;
   try {
     namespace camera = rigidformer_ros::camera;
-    const ros::NodeHandle private_node("~");
-    camera::DepthCameraPublisher(node, camera::read_camera_options(private_node),
-                                 camera::read_playback_options(private_node))
-        .run();
+    rigidformer_ros::demo::PrivateParameters parameters(ros::NodeHandle("~"));
+    const camera::CameraOptions options = camera::read_camera_options(parameters);
+    const camera::PlaybackOptions playback = camera::read_playback_options(parameters);
+    parameters.finish();
+    camera::DepthCameraPublisher(node, options, playback).run();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
     return 1;

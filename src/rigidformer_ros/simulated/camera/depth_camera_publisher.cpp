@@ -2,36 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer_ros/simulated/camera/depth_camera_publisher.hpp"
 
-#include <stdexcept>
-
 #include "rigidformer_ros/simulated/playback/wait_for_node.hpp"
 
 namespace rigidformer_ros::camera {
-namespace {
 
-template <typename T>
-void read_parameter(const ros::NodeHandle& node, const std::string& name, T& value) {
-  if (node.hasParam(name) && !node.getParam(name, value)) {
-    throw std::invalid_argument("parameter " + node.resolveName(name) + " has the wrong type");
-  }
-}
-
-}  // namespace
-
-CameraOptions read_camera_options(const ros::NodeHandle& private_node) {
+CameraOptions read_camera_options(demo::PrivateParameters& parameters) {
   CameraOptions options;
   for_each_member(options, [&](const std::string& name, auto& value, const Accepts&, const char*) {
-    read_parameter(private_node, name, value);
+    parameters.read(name, value);
   });
   options.validate();
   return options;
 }
 
-PlaybackOptions read_playback_options(const ros::NodeHandle& private_node) {
+PlaybackOptions read_playback_options(demo::PrivateParameters& parameters) {
   PlaybackOptions playback;
-  read_parameter(private_node, "wait_for_node", playback.wait_for_node);
-  read_parameter(private_node, "publish_clock", playback.publish_clock);
-  read_parameter(private_node, "time_scale", playback.time_scale);
+  parameters.read("wait_for_node", playback.wait_for_node);
+  parameters.read("publish_clock", playback.publish_clock);
+  parameters.read("time_scale", playback.time_scale);
   return playback;
 }
 

@@ -7,6 +7,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include "rigidformer_ros/simulated/camera/camera_messages.hpp"
+#include "rigidformer_ros/simulated/playback/private_parameters.hpp"
 #include "rigidformer_ros/simulated/playback/scene_clock.hpp"
 
 namespace rigidformer_ros::camera {
@@ -20,10 +21,10 @@ struct PlaybackOptions {
 
 /// Reads the camera options from private parameters. Options without a parameter keep their defaults. Throws
 /// std::invalid_argument naming the parameter.
-CameraOptions read_camera_options(const ros::NodeHandle& private_node);
+CameraOptions read_camera_options(demo::PrivateParameters& parameters);
 
 /// Reads the playback options in the same way.
-PlaybackOptions read_playback_options(const ros::NodeHandle& private_node);
+PlaybackOptions read_playback_options(demo::PrivateParameters& parameters);
 
 /// Plays scenes as a depth camera with a segmentation sees them. It publishes the topics of camera_messages.hpp, and
 /// the pose of the camera on tf.

@@ -11,6 +11,7 @@
 #include "rigidformer/simulation/depth_camera.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 #include "rigidformer_ros/simulated/demo/demo_clouds.hpp"
+#include "rigidformer_ros/simulated/playback/private_parameters.hpp"
 #include "rigidformer_ros/simulated/playback/wait_for_node.hpp"
 
 namespace rigidformer_ros::demo {
@@ -21,34 +22,31 @@ constexpr double kFrameRate = 240.0;
 // Most objects of a scene: the default of MoviOptions. So many topics are offered from the start.
 constexpr int kMaxObjects = 10;
 
-template <typename T>
-void read_parameter(const ros::NodeHandle& node, const std::string& name, T& value) {
-  if (node.hasParam(name) && !node.getParam(name, value)) {
-    throw std::invalid_argument("parameter " + node.resolveName(name) + " has the wrong type");
-  }
-}
-
 int frames_per_cloud(double cloud_rate) { return static_cast<int>(std::lround(kFrameRate / cloud_rate)); }
 
 }  // namespace
 
 DemoParameters DemoParameters::read(const ros::NodeHandle& private_node) {
   DemoParameters p;
-  read_parameter(private_node, "scene_set", p.scene_set);
-  read_parameter(private_node, "seed", p.seed);
-  read_parameter(private_node, "num_scenes", p.num_scenes);
-  read_parameter(private_node, "scene_duration", p.scene_duration);
-  read_parameter(private_node, "pause", p.pause);
-  read_parameter(private_node, "cloud_rate", p.cloud_rate);
-  read_parameter(private_node, "points_per_object", p.points_per_object);
-  read_parameter(private_node, "camera_frame", p.camera_frame);
-  read_parameter(private_node, "fixed_frame", p.fixed_frame);
-  read_parameter(private_node, "wait_for_node", p.wait_for_node);
-  read_parameter(private_node, "publish_clock", p.publish_clock);
-  read_parameter(private_node, "time_scale", p.time_scale);
-  read_parameter(private_node, "hold_at", p.hold_at);
-  if (!(p.cloud_rate > 0.0) || std::abs(frames_per_cloud(p.cloud_rate) * p.cloud_rate - kFrameRate) > 1e-6) {
-    throw std::invalid_argument("cloud_rate must divide 240 Hz, got " + std::to_string(p.cloud_rate));
+  PrivateParameters parameters(private_node);
+  parameters.read("scene_set", p.scene_set);
+  parameters.read("seed", p.seed);
+  parameters.read("num_scenes", p.num_scenes);
+  parameters.read("scene_duration", p.scene_duration);
+  parameters.read("pause", p.pause);
+  parameters.read("cloud_rate", p.cloud_rate);
+  parameters.read("points_per_object", p.points_per_object);
+  parameters.read("camera_frame", p.camera_frame);
+  parameters.read("fixed_frame", p.fixed_frame);
+  parameters.read("wait_for_node", p.wait_for_node);
+  parameters.read("publish_clock", p.publish_clock);
+  parameters.read("time_scale", p.time_scale);
+  parameters.read("hold_at", p.hold_at);
+  parameters.finish();
+  if (!(p.cloud_rate >= 1.0 && p.cloud_rate <= kFrameRate) ||
+      std::abs(frames_per_cloud(p.cloud_rate) * p.cloud_rate - kFrameRate) > 1e-6) {
+    throw std::invalid_argument("cloud_rate must be at least 1 Hz and divide 240 Hz, got " +
+                                std::to_string(p.cloud_rate));
   }
   if (!(p.scene_duration > 0.0) || p.points_per_object < 4) {
     throw std::invalid_argument("scene_duration must be positive and points_per_object at least 4");
