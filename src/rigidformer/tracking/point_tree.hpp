@@ -25,10 +25,10 @@ class PointTree {
   int nearest(const Eigen::Vector3f& point) const;
 
   /// Fills `rows` with the rows of the nearest points, nearest first, and returns how many there are (at most N).
-  template <std::size_t count>
-  int nearest(const Eigen::Vector3f& point, std::array<int, count>& rows) const {
-    std::array<float, count> squared_distances;
-    return find(point, rows.data(), squared_distances.data(), static_cast<int>(count));
+  template <std::size_t Count>
+  int nearest(const Eigen::Vector3f& point, std::array<int, Count>& rows) const {
+    std::array<float, Count> squared_distances;
+    return find(point, rows.data(), squared_distances.data(), static_cast<int>(Count));
   }
 
   /// Fills `rows` with the rows of the `count` (at most N) nearest points, nearest first.

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "rigidformer/scene/objection.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 #include "rigidformer_ros/messages/object_clouds.hpp"
 #include "rigidformer_ros/services/request_error.hpp"
@@ -179,11 +180,32 @@ ObservedScene take_given_scene(const TrackStore& tracks, bool has_previous, cons
   return scene;
 }
 
+std::string field_of(const Request& request, const std::string& id) {
+  const auto found = std::find(request.scene.ids.begin(), request.scene.ids.end(), id);
+  return "scene.clouds[" + std::to_string(found - request.scene.ids.begin()) + "]: object '" + id + "' ";
+}
+
+// A request that gives an object asks for its forecast, so that one which cannot be predicted is an error here.
+void check_usable(const Request& request, const ObservedScene& scene, const PredictParameters& predict) {
+  for (const ObservedObject& object : scene.objects) {
+    if (const auto objection = rigidformer::objection(object.state, predict.length_scale)) {
+      reject(Response::INVALID_REQUEST, field_of(request, object.state.id) + *objection);
+    }
+  }
+  for (const rigidformer::SkippedObject& skipped : scene.skipped) {
+    if (skipped.cause == rigidformer::SkipCause::kUnusable) {
+      reject(Response::INVALID_REQUEST, field_of(request, skipped.id) + skipped.reason);
+    }
+  }
+}
+
 ObservedScene read_given_scene(const Request& request, bool has_previous, const NodeParameters& parameters,
                                double default_time_step_s, const RequestSources& sources) {
   const TrackStore tracks =
       track_scenes(request.scene, has_previous ? &request.previous_scene : nullptr, parameters, sources.T_fixed_from);
-  const rigidformer::ModelInfo model = sources.model_for(tracks.snapshot(default_time_step_s));
+  const ObservedScene given = tracks.snapshot(default_time_step_s);
+  check_usable(request, given, parameters.predict);
+  const rigidformer::ModelInfo model = sources.model_for(given);
   return take_given_scene(tracks, has_previous, model, read_time_step(request.time_step, default_time_step_s, model));
 }
 
