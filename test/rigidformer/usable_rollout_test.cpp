@@ -154,7 +154,7 @@ class PickyRollout : public Rollout {
   explicit PickyRollout(const std::vector<ObjectState>& objects) {
     forecast_.times_s = {0.0, 1.0};
     for (size_t k = 0; k < objects.size(); ++k) {
-      if (objects[k].id == "hollow") throw BodyError(static_cast<int64_t>(k), "no volume");
+      if (objects[k].id == "hollow") throw BodyError(static_cast<std::int64_t>(k), "no volume");
       forecast_.objects.push_back({objects[k].id, Status::kOk, {{}, {}}});
     }
   }

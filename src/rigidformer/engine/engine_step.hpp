@@ -13,11 +13,11 @@ namespace rigidformer {
 /// An object of which the engine can make no body.
 class BodyError : public std::invalid_argument {
  public:
-  BodyError(int64_t object, const std::string& reason) : std::invalid_argument(reason), object_(object) {}
-  int64_t object() const { return object_; }  ///< Index k in the batch
+  BodyError(std::int64_t object, const std::string& reason) : std::invalid_argument(reason), object_(object) {}
+  std::int64_t object() const { return object_; }  ///< Index k in the batch
 
  private:
-  int64_t object_;
+  std::int64_t object_;
 };
 
 /// A physics engine on what the network sees: Bullet on the convex hulls of the clouds (see observed_hull.hpp) with the
