@@ -27,6 +27,10 @@ class RestartingRollout : public Rollout {
       forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * options_.time_step_s);
     }
     for (std::size_t i = 0; i < objects_.size(); ++i) {
+      if (part.objects[i].status == ObjectTrajectory::Status::kUnusable) {
+        forecast_.objects[i].status = part.objects[i].status;
+        forecast_.objects[i].reason = part.objects[i].reason;
+      }
       const std::vector<RigidTransform>& poses = part.objects[i].poses;
       std::vector<RigidTransform>& all = forecast_.objects[i].poses;
       all.insert(all.end(), poses.begin() + 1, poses.end());

@@ -84,8 +84,11 @@ AddResult TrackStore::add(const ObjectObservation& observation) {
   if (dt < 0.0) {
     return AddResult::kLate;
   }
-  return dt > options_.history.max_dt ? begin_track(observation, seen_rows)
-                                      : extend_track(track, observation, seen_rows);
+  if (dt > options_.history.max_dt) {
+    begin_track(observation, seen_rows);
+    return AddResult::kNewTrackAfterGap;
+  }
+  return extend_track(track, observation, seen_rows);
 }
 
 AddResult TrackStore::begin_track(const ObjectObservation& observation, const std::vector<int>& seen_rows) {

@@ -73,7 +73,7 @@ Layout read_layout(const PointCloud2& cloud) {
     throw std::invalid_argument("is_bigendian: big-endian data is not supported");
   }
   read_field_layout(cloud, layout);
-  if (count > cloud.data.size() / layout.point_step) {
+  if (count > cloud.data.size()) {
     throw std::invalid_argument("width x height: " + std::to_string(count) + " points do not fit into " +
                                 std::to_string(cloud.data.size()) + " bytes of data");
   }

@@ -200,7 +200,7 @@ TEST_F(TrackStoreTest, ALoopingClockStartsOver) {
 TEST_F(TrackStoreTest, GapsJumpsAndOtherPointsBeginANewTrack) {
   const Flight flight;
   feed("a", flight, 3);
-  EXPECT_EQ(store.add(observe("a", flight, 110.0, 0.1)), AddResult::kNewTrack) << "gap";
+  EXPECT_EQ(store.add(observe("a", flight, 110.0, 0.1)), AddResult::kNewTrackAfterGap) << "gap";
   Flight elsewhere;
   elsewhere.start.x() = 5.0;
   EXPECT_EQ(store.add(observe("a", elsewhere, 110.03, 0.1)), AddResult::kNewTrack) << "jump";

@@ -137,7 +137,7 @@ TEST_F(SceneIntakeTest, TooSmallOrTooLargePartsLoseOnlyThemselves) {
   EXPECT_EQ(objects().count("obj_1"), 1U);
   EXPECT_EQ(rejections.counts()["malformed cloud"].total, 1U);
   EXPECT_EQ(rejections.counts()["too few points"].total, 1U);
-  EXPECT_NE(report().find("'obj_8': has 30 points"), std::string::npos);
+  EXPECT_NE(report().find("'obj_8': has 30 finite points"), std::string::npos);
 }
 
 TEST_F(SceneIntakeTest, P05_MissingFrameIsCountedAndNamed) {

@@ -138,7 +138,7 @@ struct Damage {
 
 TEST(LabelledCloud, P03_MalformedTablesAreNamed) {
   const std::vector<Damage> damages{
-      {"no field 'label' or 'instance'", [](PointCloud2& c) { c.fields[0].name = "ring"; }},
+      {"no field 'instance' or 'label'", [](PointCloud2& c) { c.fields[0].name = "ring"; }},
       {"fields['label'].datatype: is 7", [](PointCloud2& c) { c.fields[0].datatype = PointField::FLOAT32; }},
       {"fields['label'].datatype: is 0", [](PointCloud2& c) { c.fields[0].datatype = 0; }},
       {"fields['label'].count: is 2", [](PointCloud2& c) { c.fields[0].count = 2; }},

@@ -20,6 +20,8 @@ namespace rigidformer_ros::camera {
 namespace {
 
 using rigidformer::MoviSet;
+using rigidformer::ObjectObservation;
+using rigidformer::RigidTransform;
 using rigidformer::SceneRecording;
 using rigidformer::Shape;
 
