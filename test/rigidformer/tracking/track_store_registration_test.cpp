@@ -174,7 +174,8 @@ TEST_F(RegistrationTracks, P09_repeated_stamps_replace_and_long_gaps_restart) {
     const ObjectState state = newest().state;
     EXPECT_LT((state.T_world_current.translation - state.T_world_previous.translation).norm(), 0.02);
   }
-  EXPECT_EQ(store.add(seen("a", 10.0, camera.look(RigidTransform(), kEye, 800).points_world)), AddResult::kNewTrackAfterGap);
+  EXPECT_EQ(store.add(seen("a", 10.0, camera.look(RigidTransform(), kEye, 800).points_world)),
+            AddResult::kNewTrackAfterGap);
   EXPECT_TRUE(newest().assumed_static);
 }
 
