@@ -71,9 +71,7 @@ AddResult TrackStore::add(const ObjectObservation& observation) {
     return AddResult::kTooFewPoints;
   }
   const auto found = tracks_.find(observation.id);
-  if (found == tracks_.end()) {
-    return begin_track(observation, seen_rows);
-  }
+  if (found == tracks_.end()) return begin_track(observation, seen_rows);
   Track& track = *found->second;
   const double dt = seconds_between(track.poses.newest_stamp(), observation.stamp);
   if (dt < -options_.history.jump_threshold) {
@@ -81,9 +79,7 @@ AddResult TrackStore::add(const ObjectObservation& observation) {
     begin_track(observation, seen_rows);
     return AddResult::kTimeRestarted;
   }
-  if (dt < 0.0) {
-    return AddResult::kLate;
-  }
+  if (dt < 0.0) return AddResult::kLate;
   if (dt > options_.history.max_dt) {
     begin_track(observation, seen_rows);
     return AddResult::kNewTrackAfterGap;
