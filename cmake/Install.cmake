@@ -12,13 +12,21 @@ if(RIGIDFORMER_ROS)
   set(share_dir ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endif()
 
+# What other projects may link.
+set(api_libraries rigidformer_core)
+foreach(target rigidformer_simulation rigidformer)
+  if(TARGET ${target})
+    list(APPEND api_libraries ${target})
+  endif()
+endforeach()
+
 # Installed programs find their libraries by the path from one to the other, so that the installed folder can be moved.
 # In a catkin workspace the environment tells where libraries are.
 if(NOT RIGIDFORMER_ROS)
   file(RELATIVE_PATH lib_from_bin /${bin_dir} /${lib_dir})
   set_property(TARGET ${RIGIDFORMER_APPS} PROPERTY INSTALL_RPATH "$ORIGIN/${lib_from_bin}")
-  set_property(TARGET ${RIGIDFORMER_APPS} ${RIGIDFORMER_LIBRARIES} APPEND PROPERTY INSTALL_RPATH "$ORIGIN")
-  set_property(TARGET ${RIGIDFORMER_APPS} ${RIGIDFORMER_LIBRARIES} PROPERTY INSTALL_RPATH_USE_LINK_PATH ON)
+  set_property(TARGET ${RIGIDFORMER_APPS} ${api_libraries} APPEND PROPERTY INSTALL_RPATH "$ORIGIN")
+  set_property(TARGET ${RIGIDFORMER_APPS} ${api_libraries} PROPERTY INSTALL_RPATH_USE_LINK_PATH ON)
 endif()
 
 set(programs ${RIGIDFORMER_APPS})
@@ -39,16 +47,16 @@ endforeach()
 # rigidformer::rigidformer, as far as they were built.
 include(CMakePackageConfigHelpers)
 set(package_dir ${lib_dir}/cmake/rigidformer)
-install(TARGETS ${RIGIDFORMER_LIBRARIES} EXPORT rigidformer
+install(TARGETS ${api_libraries} EXPORT rigidformer
   RUNTIME DESTINATION ${bin_dir}
   LIBRARY DESTINATION ${lib_dir}
   ARCHIVE DESTINATION ${lib_dir})
 install(EXPORT rigidformer NAMESPACE rigidformer:: FILE rigidformerTargets.cmake DESTINATION ${package_dir})
+set(package_files ${PROJECT_BINARY_DIR}/rigidformer_package)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/rigidformerConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/rigidformerConfig.cmake INSTALL_DESTINATION ${package_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/rigidformerConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/rigidformerConfig.cmake ${PROJECT_BINARY_DIR}/rigidformerConfigVersion.cmake
-  DESTINATION ${package_dir})
+  ${package_files}/rigidformerConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${package_files}/rigidformerConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(DIRECTORY ${package_files}/ DESTINATION ${package_dir})
 
 install(TARGETS ${programs} ${libraries}
   RUNTIME DESTINATION ${bin_dir}

@@ -17,8 +17,8 @@
 namespace rigidformer_ros {
 namespace {
 
-using rigidformer::ObservedObject;
 using rigidformer::MotionMode;
+using rigidformer::ObservedObject;
 using testing::blob;
 using testing::LabelledCloudMaker;
 
