@@ -10,13 +10,13 @@ set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 options=(-DRIGIDFORMER_ROS=OFF)
-tests=(core_tests simulation_tests baseline_tests learning_tests)
+tests=(core_tests simulation_tests tracking_tests baseline_tests learning_tests)
 chosen=
 while [ $# -gt 0 ]; do
   case $1 in
     --ros)
       options=(-DCATKIN_ENABLE_TESTING=ON -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3)
-      tests+=(ros_unit_tests demo_tests camera_tests tracking_tests segmentation_tests) ;;
+      tests+=(ros_unit_tests demo_tests camera_tests accuracy_tests service_tests segmentation_tests) ;;
     --tests) chosen=$2; shift ;;
     *) echo "usage: $0 [--ros] [--tests \"NAME ...\"]" >&2; exit 2 ;;
   esac
