@@ -5,6 +5,9 @@
 #include <stdexcept>
 
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
+#include "rigidformer_ros/messages/invalid_points.hpp"
+#include "rigidformer_ros/messages/labelled_cloud.hpp"
+#include "rigidformer_ros/messages/near_origin.hpp"
 
 namespace {
 
@@ -27,7 +30,7 @@ sensor_msgs::PointCloud2 make_cloud(FuzzedDataProvider& bytes) {
   const auto num_fields = bytes.ConsumeIntegralInRange<std::size_t>(0, 6);
   for (std::size_t i = 0; i < num_fields; ++i) {
     sensor_msgs::PointField field;
-    field.name = bytes.PickValueInArray({"x", "y", "z", "label", "intensity", ""});
+    field.name = bytes.PickValueInArray({"x", "y", "z", "label", "instance", ""});
     field.offset = count(bytes);
     field.datatype = bytes.ConsumeIntegralInRange<std::uint8_t>(0, 9);
     field.count = bytes.ConsumeBool() ? 1 : count(bytes);
@@ -37,6 +40,17 @@ sensor_msgs::PointCloud2 make_cloud(FuzzedDataProvider& bytes) {
   return cloud;
 }
 
+// Every point belongs to at most one label.
+void check_labels(const sensor_msgs::PointCloud2& cloud, const rigidformer_ros::Points& points) {
+  Eigen::Index num_labelled = 0;
+  for (const rigidformer_ros::LabelPoints& part : rigidformer_ros::split_by_label(cloud, points)) {
+    num_labelled += part.points.rows();
+  }
+  if (num_labelled > points.rows()) {
+    __builtin_trap();
+  }
+}
+
 }  // namespace
 
 /// Checks that every accepted cloud gives one row per point, finite or NaN as a whole.
@@ -44,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzedDataProvider bytes(data, size);
   const sensor_msgs::PointCloud2 cloud = make_cloud(bytes);
   try {
-    const rigidformer_ros::Points points = rigidformer_ros::read_points(cloud, kMaxPoints);
+    rigidformer_ros::Points points = rigidformer_ros::read_points(cloud, kMaxPoints);
     if (points.rows() != static_cast<Eigen::Index>(cloud.width) * static_cast<Eigen::Index>(cloud.height)) {
       __builtin_trap();
     }
@@ -53,6 +67,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         __builtin_trap();
       }
     }
+    rigidformer_ros::mask_invalid_points(points, rigidformer_ros::InvalidPoints::kAlsoRepeated);
+    rigidformer_ros::require_near_origin(points, "world");
+    check_labels(cloud, points);
   } catch (const std::invalid_argument&) {
   }
   return 0;
