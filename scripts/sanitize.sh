@@ -20,7 +20,7 @@ shift
 names=("$@")
 if [ ${#names[@]} -eq 0 ]; then
   names=(core_tests simulation_tests baseline_tests tracking_tests camera_tests segmentation_tests demo_tests
-    ros_unit_tests "learning_tests:-MoviBallistic*")  # which plays whole test sets
+    accuracy_tests service_tests ros_unit_tests "learning_tests:-MoviBallistic*")  # which plays whole test sets
   for test_file in "$root"/test/rigidformer_ros/*/*.test; do
     name=$(basename "$test_file" .test)
     # A nodelet lives in a program of ROS, which is not instrumented.
