@@ -7,6 +7,7 @@ import re
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -45,6 +46,15 @@ class Pitfalls(unittest.TestCase):
     def test_p34_another_build_is_warned_of(self):
         self.assertIn('many times slower', ' '.join(configure('-DCMAKE_BUILD_TYPE=Debug').split()))
         self.assertNotIn('slower', configure('-DCMAKE_BUILD_TYPE=RelWithDebInfo'))
+
+    def test_p58_paths_with_spaces_stay_one_argument(self):
+        """roslaunch splits the arguments of a program as a shell does, so every path in them is quoted."""
+        for path in sorted((ROOT / 'launch').glob('*.launch')):
+            for node in xml.etree.ElementTree.parse(path).iter('node'):
+                args = ' '.join(node.get('args', '').split())
+                with self.subTest(file=path.name, args=args):
+                    self.assertNotRegex(args, r'''(?<!')\$\(arg \w*(bag|config|file|model)\)''')
+                    self.assertNotRegex(args, r'''\+ bag\b(?! \+ '")''')
 
 
 if __name__ == '__main__':

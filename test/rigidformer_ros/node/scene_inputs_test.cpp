@@ -74,7 +74,7 @@ class SceneInputsTest : public ::testing::Test {
     }
     sensor_msgs::PointCloud2 message = LabelledCloudMaker().make(in_camera(all), labels);
     message.header.stamp = stamp;
-    message.header.frame_id = "camera";
+    message.header.frame_id = camera_frame;
     publish_poses({{"cup", flight(0.0).pose(t)}, {"obj_2", flight(3.0).pose(t)}, {"lift", T_world_lift}}, stamp);
     labelled.publish(message);
   }
@@ -123,6 +123,7 @@ class SceneInputsTest : public ::testing::Test {
   ros::Publisher labelled = node.advertise<sensor_msgs::PointCloud2>("cloud", 5);
   ros::Publisher scenes = node.advertise<ObjectClouds>("object_clouds", 5);
   const Points table = blob(40, 3);
+  std::string camera_frame = "camera";
   ros::Time flight_start;
   ros::Time last_stamp;
 };
@@ -139,6 +140,14 @@ TEST_F(SceneInputsTest, LabelledCloudWithFramesOfATracker) {
   EXPECT_EQ(objects.at("lift").mode, ObjectClouds::KINEMATIC);
   const double rise = objects.at("lift").poses.back().position.z - objects.at("lift").poses.front().position.z;
   EXPECT_NEAR(rise, client.last_forecast.times.back(), kTolerance_m) << "one metre per second, gravity or not";
+}
+
+// tf 1 wrote frames with a slash in front, and old drivers and bags still do.
+TEST_F(SceneInputsTest, P50_AFrameWithALeadingSlashIsTheFrameWithoutIt) {
+  ASSERT_TRUE(client.wait_until([&] { return labelled.getNumSubscribers() > 0; }));
+  camera_frame = "/camera";
+  stream([this](const ros::Time& stamp, double t) { publish_labelled(stamp, t); });
+  EXPECT_LT(largest_error(client.last_forecast, "cup", flight(0.0), flight_start), kTolerance_m);
 }
 
 // The object frames are those of the tracker, so the first pose of a forecast is the newest pose that the tracker gave.

@@ -155,5 +155,18 @@ TEST(Parameters, P31_ErrorsNameTheParameterAndWhatIsAccepted) {
   }
 }
 
+// YAML takes 1e-3 for a text and 24.0 for no integer. Whoever wrote them sees a number and needs to be told.
+TEST(Parameters, P51_AnIllNumberIsShownAsItWasRead) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"{predict: {time_step: '1e-3'}}", "is '1e-3' (a text; a number is written without quotes and as 1.0e-3)"},
+      {"{predict: {gravity: down}}", "is 'down', must be a number"},
+      {"{predict: {num_steps: 24.0}}", "is 24.0, must be an integer"},
+      {"{predict: {num_steps: true}}", "is 1, must be an integer"},
+      {"{predict: {num_steps: [24]}}", "is a list, must be an integer"}};
+  for (const auto& [text, part] : cases) {
+    expect_contains(error_of(text), part);
+  }
+}
+
 }  // namespace
 }  // namespace rigidformer_ros
