@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "rigidformer/engine/contact_search.hpp"
 #include "rigidformer/geometry/nearest_points.hpp"
 #include "rigidformer/model/nearest.hpp"
 
@@ -54,6 +55,7 @@ NetworkRollout::NetworkRollout(RigidFormer& model, const torch::Device& device, 
   centre_ = model_->centre_of_mass(batch_, state_.current);
   batch_.hidden_points = model_->hidden_side(batch_, state_.current, centre_);
   engine_ = make_engine_step(model_->options, batch_, centre_);
+  contacts_ = make_contact_search(model_->options, batch_, centre_);
   forecast_.times_s.push_back(0.0);
   for (const ObjectState& object : objects) {
     forecast_.objects.push_back({object.id, ObjectTrajectory::Status::kOk, {object.T_world_current}});
@@ -70,7 +72,8 @@ const Forecast& NetworkRollout::advance(int num_steps) {
 }
 
 void NetworkRollout::step() {
-  SceneState next = rigidformer::advance(batch_, state_, model_->forward(batch_, state_, centre_, nearest_, engine_));
+  SceneState next =
+      rigidformer::advance(batch_, state_, model_->forward(batch_, state_, centre_, nearest_, engine_, contacts_));
   if (rest_.speed_mps > 0.0) hold_resting(batch_, state_, next, rest_);
   forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * time_step_s_);
   record(next);

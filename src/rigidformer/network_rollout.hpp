@@ -35,6 +35,7 @@ class NetworkRollout : public Rollout {
   NearestSearch nearest_;
   Tensor centre_;  ///< Of mass, reference frame [1, K, 3]
   EngineStep engine_;
+  ContactSearch contacts_;
   Forecast forecast_;
 };
 

@@ -64,6 +64,7 @@ struct ModelOptions {
   bool position_feature = false;
   bool contact_features = false;
   bool local_planes = false;
+  bool contact_tokens = false;
   bool property_mask = false;
   bool own_token_in_query = false;
   bool velocity_output = false;
@@ -136,6 +137,8 @@ void for_each_switch(ModelOptions& o, const Visit& visit) {
         "estimate the side that no camera sees, for the physics engine");
   visit("local_planes", o.local_planes, anything().newer(),
         "signed gaps between the tangent planes of a vertex and its nearest one");
+  visit("contact_tokens", o.contact_tokens, anything().newer(),
+        "where and when hulls meet is computed, and one token per contact reads it");
   visit("max_points", o.max_points, at_least(16).newer(),
         "points per object the network looks at; larger clouds are thinned evenly");
   visit("rest_speed_mps", o.rest_speed_mps, at_least(0.0).newer(),

@@ -3,11 +3,7 @@
 #include "engine_scene.hpp"
 
 #include <cmath>
-#include <optional>
-#include <stdexcept>
 
-#include "rigidformer/engine/engine_step.hpp"
-#include "rigidformer/engine/observed_hull.hpp"
 #include "rigidformer/simulation/observed_motion.hpp"
 
 namespace rigidformer {
@@ -17,35 +13,6 @@ constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches
 constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point, above which a body is not about to tip
 
 double value(const Tensor& tensor) { return tensor.item<double>(); }
-
-/// The points [N, 3] of a cloud [M, 3] that a mask [M] keeps.
-Points to_points(const Tensor& cloud, const Tensor& mask) {
-  const Tensor points = cloud.index({mask}).to(torch::kFloat32).contiguous();
-  return Eigen::Map<const Points>(points.data_ptr<float>(), points.size(0), 3);
-}
-
-/// What was seen of object `k` of scene `b`.
-Points seen_points(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
-  if (batch.surface_points.defined()) return to_points(batch.surface_points[b][k], batch.surface_mask[b][k]);
-  return to_points(batch.points_reference[b][k], batch.point_mask[b][k]);
-}
-
-/// What is guessed beside it; may be empty.
-Points hidden_points(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
-  if (!batch.hidden_points.defined()) return {};
-  const std::int64_t P = batch.hidden_points.size(2);
-  return to_points(batch.hidden_points[b][k], batch.point_mask[b][k].slice(0, 0, P));
-}
-
-/// Material as far as it is known.
-BodyProperties known_properties(const SceneBatch& batch, std::int64_t b, std::int64_t k) {
-  const Tensor known = batch.properties_known[b][k] > 0.0;
-  const Tensor properties = batch.properties[b][k];
-  const auto property = [&](std::int64_t i) {
-    return known[i].item<bool>() ? std::optional<double>(value(properties[i])) : std::nullopt;
-  };
-  return {property(0), property(1), property(2)};
-}
 
 bool is_finite(const BodyState& state) {
   return is_valid(state.T_world_object) && state.velocity.allFinite() && state.angular_velocity.allFinite();
@@ -59,46 +26,24 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
       gravity_(value(batch.gravity[b])),
       ground_height_m_(value(batch.ground_height[b])),
       world_(observed_world(time_step_s_, gravity_)) {
-  std::vector<Solid> solids;
+  const std::vector<ObservedSolid> solids = observe_solids(batch, centre_reference, b);
   double total_mass_kg = 0.0;
-  for (std::int64_t k = 0; k < batch.max_objects(); ++k) {
-    if (!batch.object_mask[b][k].item<bool>()) continue;
-    const Tensor c = centre_reference[b][k];
-    bodies_.push_back({k, batch.dynamic_mask[b][k].item<bool>(), {value(c[0]), value(c[1]), value(c[2])}, {}, false});
-    try {
-      solids.push_back(observe_solid(batch, b, bodies_.back()));
-    } catch (const std::invalid_argument& error) {
-      throw BodyError(k, error.what());
-    }
-    total_mass_kg += *solids.back().properties.mass_kg;
-  }
+  for (const ObservedSolid& solid : solids) total_mass_kg += *solid.properties.mass_kg;
   // Only ratios of masses matter to the motion, but the solver's tolerances are meant for masses of about 1 kg.
   const double mass_unit_kg = total_mass_kg / static_cast<double>(solids.size());
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    *solids[i].properties.mass_kg /= mass_unit_kg;
-    add_body(solids[i], bodies_[i]);
-  }
+  for (const ObservedSolid& solid : solids) add_body(solid, mass_unit_kg);
 }
 
-EngineScene::Solid EngineScene::observe_solid(const SceneBatch& batch, std::int64_t b, Body& body) {
-  const ObservedHull observed =
-      observe_hull(seen_points(batch, b, body.object), body.centre_reference, hidden_points(batch, b, body.object));
-  if (!observed.centre_of_mass.allFinite() || !(observed.volume_m3 > 0.0)) {
-    throw std::invalid_argument("the hull of its points has no volume");
-  }
-  body.centre_reference = observed.centre_of_mass;
-  body.fully_known = observed.complete && (batch.properties_known[b][body.object] > 0.0).all().item<bool>();
-  return {observed.hull, with_means(known_properties(batch, b, body.object), observed.volume_m3)};
-}
-
-void EngineScene::add_body(const Solid& solid, Body& body) {
+void EngineScene::add_body(const ObservedSolid& solid, double mass_unit_kg) {
   const Shape shape{"", 1.0, {solid.hull}};
-  if (body.dynamic) {
-    world_.add_body(shape, 1.0, solid.properties, {});
+  BodyProperties properties = solid.properties;
+  *properties.mass_kg /= mass_unit_kg;
+  if (solid.dynamic) {
+    world_.add_body(shape, 1.0, properties, {});
   } else {
-    world_.add_driven_body(shape, 1.0, solid.properties, {});
+    world_.add_driven_body(shape, 1.0, properties, {});
   }
-  body.hull = solid.hull.vertices;
+  bodies_.push_back({solid.object, solid.dynamic, solid.centre_reference, solid.hull.vertices, solid.fully_known});
 }
 
 void EngineScene::step(PoseTable& previous, PoseTable& current, Tensor& certain) {

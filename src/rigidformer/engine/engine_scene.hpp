@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pose_table.hpp"
+#include "rigidformer/engine/observed_solid.hpp"
 #include "rigidformer/simulation/bullet_world.hpp"
 
 namespace rigidformer {
@@ -28,13 +29,7 @@ class EngineScene {
     bool fully_known = false;          ///< Seen from all sides and of known material
   };
 
-  struct Solid {
-    ConvexPart hull;
-    BodyProperties properties;  ///< Complete
-  };
-
-  static Solid observe_solid(const SceneBatch& batch, std::int64_t b, Body& body);
-  void add_body(const Solid& solid, Body& body);
+  void add_body(const ObservedSolid& solid, double mass_unit_kg);
   BodyState observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const;
   RigidTransform departure(const Body& body, const BodyState& arrived) const;
   double fall_before_step() const;

@@ -101,6 +101,26 @@ struct EngineMotion {
 /// One step of a physics engine on the objects of a batch.
 using EngineStep = std::function<EngineMotion(const SceneState&)>;
 
+/// Where surfaces meet during a step of free motion: C contacts of all scenes of a batch, each told once per side that
+/// can move. What the bodies are made of comes along, because a hull is known only to whoever searches for contacts.
+struct Contacts {
+  Tensor scene, object;  ///< [C] int64, indices b and k of the own side
+  Tensor partner;        ///< [C] int64, index k of the other side; -1 = the ground
+  Tensor point;          ///< [C, 3] m, on the own surface, seen from the own centre of mass, world axes
+  Tensor partner_point;  ///< [C, 3] m, the same of the other side; 0 for the ground
+  Tensor normal;         ///< [C, 3] unit, from the other side to the own one
+  Tensor fraction;       ///< [C] when they meet: 0 = now, 1 = at the end of the step
+  Tensor gap;            ///< [C] m between the surfaces at that time, negative = overlap
+  Tensor mass;           ///< [B, K] kg; an estimate where it is unknown
+  Tensor
+      inverse_inertia;  ///< [B, K, 3, 3] 1/m^2 per unit of mass, about the centre of mass, axes of the reference frame
+
+  std::int64_t count() const { return scene.size(0); }
+};
+
+/// Finds the contacts of a step that leads from one pose of every object to another by free motion.
+using ContactSearch = std::function<Contacts(const Pose& from, const Pose& to)>;
+
 /// Picks rows along dimension 2: values [B, K, N, C], index [B, K, A] -> [B, K, A, C].
 Tensor gather_points(const Tensor& values, const Tensor& index);
 

@@ -181,6 +181,8 @@ void validate(const ModelOptions& options) {
   for (const int scale : o.scales) check(scale <= o.num_layers, "scales", scale, "in [0, num_layers]");
   check(!o.engine_motion || (o.inertial_base_motion && o.velocity_output && o.end_velocity_output), "engine_motion",
         o.engine_motion, "off without inertial_base_motion, velocity_output and end_velocity_output");
+  check(!o.contact_tokens || (o.inertial_base_motion && o.velocity_output && o.end_velocity_output), "contact_tokens",
+        o.contact_tokens, "off without inertial_base_motion, velocity_output and end_velocity_output");
   check(!o.hidden_side_head || o.engine_motion, "hidden_side_head", o.hidden_side_head, "off without engine_motion");
   check(approximate_weights(o) <= kMaxWeights, "number of weights", approximate_weights(o), "at most 1e9");
 }

@@ -51,6 +51,7 @@ RigidFormerImpl::RigidFormerImpl(const ModelOptions& model_options) : options(mo
   decoder = register_module("decoder", ObjectDecoder(options, 2 + options.control_dim));
   anchor_vertex_pooling = register_module("anchor_vertex_pooling", AnchorVertexPooling(options));
   predictor = register_module("predictor", AnchorPredictor(options));
+  if (options.contact_tokens) contact_tokens = register_module("contact_tokens", ContactTokens(options));
 }
 
 Tensor RigidFormerImpl::centre_of_mass(const SceneBatch& batch, const Pose& current) {
@@ -71,13 +72,15 @@ Tensor RigidFormerImpl::hidden_side(const SceneBatch& batch, const Pose& current
 
 StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneState& state,
                                         const Tensor& centre_reference, const NearestSearch& nearest_search,
-                                        const EngineStep& engine_step) {
+                                        const EngineStep& engine_step, const ContactSearch& contact_search) {
   if (options.engine_motion && !engine_step) throw std::invalid_argument("this model needs a physics engine's step");
+  if (options.contact_tokens && !contact_search) throw std::invalid_argument("this model needs a search for contacts");
   const Tensor x = state.current.apply(batch.points_reference);
   const Nearest nearest = nearest_search(batch, state.current, x);
   const BaseMotion base = make_base_motion(options, batch, state, centre_reference);
   const EngineMotion engine = options.engine_motion ? engine_step(state) : EngineMotion();
-  const Tensor outputs = predict_anchor_outputs(batch, state, base, x, nearest, engine);
+  const Contacts contacts = options.contact_tokens ? contact_search(state.current, base.pose) : Contacts();
+  const Tensor outputs = predict_anchor_outputs(batch, state, base, x, nearest, engine, contacts);
 
   AnchorDeviation deviation = deviation_of(batch, outputs);
   if (options.engine_motion) mix_with_engine(batch, state, base, engine, engine_share(outputs, engine), deviation);
@@ -95,7 +98,8 @@ StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneStat
 }
 
 Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                               const Tensor& x, const Nearest& nearest, const EngineMotion& engine) {
+                                               const Tensor& x, const Nearest& nearest, const EngineMotion& engine,
+                                               const Contacts& contacts) {
   const auto geometry_type = x.scalar_type();
   Tensor h = vertex_features(options, batch, state, base, x, nearest);
   const Tensor q = gather_points(x, batch.anchor_index);
@@ -115,13 +119,28 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   if (positions.object_embedding.defined()) {
     objects.tokens = objects.tokens + positions.object_embedding.to(compute_type);
   }
+  ContactDescription described;
+  Tensor contact_embedding;
+  if (options.contact_tokens) {
+    described = describe_contacts(batch, state, base, contacts);
+    contact_embedding = contact_tokens->embed(described);
+    objects.tokens = objects.tokens + contact_tokens->to_objects(contact_embedding, described, objects.tokens);
+  }
   const std::vector<Tensor> Z = decoder(objects, film_code(options, batch).to(compute_type));
 
   // Interaction of anchors with objects (§3.2)
   const Tensor u = anchor_vertex_pooling(encoding.vertex_features, x, batch.point_mask, q);
   anchor_state = torch::cat({anchor_state, u}, -1);
   if (engine_at_anchors.defined()) anchor_state = torch::cat({anchor_state, engine_at_anchors}, -1);
-  return predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
+  if (options.contact_tokens) {
+    const Tensor at_anchors = ContactTokensImpl::to_anchors(described, x.size(0), x.size(1));
+    anchor_state = torch::cat({anchor_state, at_anchors.to(compute_type)}, -1);
+  }
+  const Tensor outputs =
+      predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
+  if (!options.contact_tokens) return outputs;
+  return outputs + torch::constant_pad_nd(contact_tokens->answer(contact_embedding, described, Z.back()),
+                                          {0, outputs.size(-1) - 6});
 }
 
 /// Share of the engine's step in the prediction, [B, K, A, 1]. Training starts by trusting the engine mostly. Steps for

@@ -9,6 +9,7 @@
 #include "rigidformer/model/base_motion.hpp"
 #include "rigidformer/model/batch.hpp"
 #include "rigidformer/model/centre_of_mass.hpp"
+#include "rigidformer/model/contact_tokens.hpp"
 #include "rigidformer/model/decoder.hpp"
 #include "rigidformer/model/encoder.hpp"
 #include "rigidformer/model/hidden_side.hpp"
@@ -34,9 +35,11 @@ struct RigidFormerImpl : torch::nn::Module {
   /// without hidden_side_head. Needed once per rollout.
   Tensor hidden_side(const SceneBatch& batch, const Pose& current, const Tensor& centre_reference);
 
-  /// Predicts one step. centre_reference comes from centre_of_mass(); models with engine_motion need `engine_step`.
+  /// Predicts one step. centre_reference comes from centre_of_mass(); models with engine_motion need `engine_step`,
+  /// those with contact_tokens `contact_search`.
   StepPrediction forward(const SceneBatch& batch, const SceneState& state, const Tensor& centre_reference,
-                         const NearestSearch& nearest_search, const EngineStep& engine_step = {});
+                         const NearestSearch& nearest_search, const EngineStep& engine_step = {},
+                         const ContactSearch& contact_search = {});
 
   /// Type of the activations inside encoder, decoder and predictor: torch::kFloat32 (default), kFloat64 or kBFloat16.
   /// Geometry (poses, Verlet, Kabsch) always stays in the type of the input.
@@ -52,6 +55,7 @@ struct RigidFormerImpl : torch::nn::Module {
   ObjectDecoder decoder{nullptr};
   AnchorVertexPooling anchor_vertex_pooling{nullptr};
   AnchorPredictor predictor{nullptr};
+  ContactTokens contact_tokens{nullptr};
 
  private:
   /// How the anchors [B, K, A, 3] deviate from the base motion [m].
@@ -61,7 +65,8 @@ struct RigidFormerImpl : torch::nn::Module {
   };
 
   Tensor predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                const Tensor& points_world, const Nearest& nearest, const EngineMotion& engine);
+                                const Tensor& points_world, const Nearest& nearest, const EngineMotion& engine,
+                                const Contacts& contacts);
   Tensor engine_share(const Tensor& outputs, const EngineMotion& engine) const;
   AnchorDeviation deviation_of(const SceneBatch& batch, const Tensor& outputs) const;
   void mix_with_engine(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,

@@ -31,4 +31,21 @@ MeshVolume measure_volume(const std::vector<ConvexPart>& parts) {
   return sum;
 }
 
+Eigen::Matrix3d inertia_per_mass(const ConvexPart& mesh) {
+  // The second moments of a tetrahedron between the origin and a face with corners p_i are
+  // volume / 20 * (sum of p_i p_i^T + s s^T) with s = sum of p_i.
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  double volume_m3 = 0.0;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    Eigen::Matrix3d corners;  // columns are corners
+    for (int k = 0; k < 3; ++k) corners.col(k) = mesh.vertices.row(mesh.triangles(f, k)).transpose().cast<double>();
+    const double volume = corners.determinant() / 6.0;
+    const Eigen::Vector3d sum = corners.rowwise().sum();
+    volume_m3 += volume;
+    moments += volume / 20.0 * (corners * corners.transpose() + sum * sum.transpose());
+  }
+  moments /= volume_m3;
+  return moments.trace() * Eigen::Matrix3d::Identity() - moments;
+}
+
 }  // namespace rigidformer

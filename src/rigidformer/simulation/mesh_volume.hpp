@@ -20,4 +20,8 @@ MeshVolume measure_volume(const ConvexPart& mesh);
 /// Measures all parts together; volume where parts overlap counts twice.
 MeshVolume measure_volume(const std::vector<ConvexPart>& parts);
 
+/// Inertia tensor of a solid of mass 1 kg and uniform density about the origin, which must lie inside the closed mesh
+/// [m^2].
+Eigen::Matrix3d inertia_per_mass(const ConvexPart& mesh);
+
 }  // namespace rigidformer

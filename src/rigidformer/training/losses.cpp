@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/training/losses.hpp"
 
+#include "rigidformer/engine/contact_search.hpp"
 #include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/centre_of_mass.hpp"
 
@@ -81,10 +82,11 @@ Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowB
   if (hidden.defined()) scene.hidden_points = hidden.detach();
   const size_t num_steps = windows.poses.size() - 2;
   const EngineStep engine = num_steps > 0 ? make_engine_step(model->options, scene, centre) : EngineStep();
+  const ContactSearch search = num_steps > 0 ? make_contact_search(model->options, scene, centre) : ContactSearch();
   Tensor loss = torch::zeros({}, scene.points_reference.options());
   for (size_t step = 0; step < num_steps; ++step) {
     // The centre of mass learns from its own loss alone: it must not be a free parameter of the motion.
-    const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search, engine);
+    const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search, engine, search);
     const Pose& truth = windows.poses[step + 2];
     loss = loss + step_loss(options, scene, prediction, truth);
     if (model->options.end_velocity_output) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigidformer/engine/contact_search.hpp"
 #include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/windows/window_batch.hpp"
@@ -51,8 +52,9 @@ Pose roll_out(RigidFormer& model, const WindowBatch& windows, int num_steps) {
   const Tensor centre = model->centre_of_mass(scene, state.current);
   scene.hidden_points = model->hidden_side(scene, state.current, centre);
   const EngineStep engine = make_engine_step(model->options, scene, centre);
+  const ContactSearch contacts = make_contact_search(model->options, scene, centre);
   for (int k = 0; k < num_steps; ++k) {
-    state = advance(scene, state, model->forward(scene, state, centre, nearest_by_distance_matrix, engine));
+    state = advance(scene, state, model->forward(scene, state, centre, nearest_by_distance_matrix, engine, contacts));
   }
   return state.current;
 }
@@ -118,7 +120,8 @@ OneStepScore one_step_error(RigidFormer& model, const SceneTensors& tensors, con
   const SceneState state{batch.poses[0], batch.poses[0], batch.poses[1]};
   const Tensor centre = model->centre_of_mass(scene, state.current);
   const StepPrediction prediction =
-      model->forward(scene, state, centre, nearest_by_distance_matrix, make_engine_step(model->options, scene, centre));
+      model->forward(scene, state, centre, nearest_by_distance_matrix, make_engine_step(model->options, scene, centre),
+                     make_contact_search(model->options, scene, centre));
   const Tensor q = scene.anchors_reference();
   const Tensor truth = batch.poses[2].apply(q);
   const BaseMotion base = make_base_motion(model->options, scene, state, centre);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rigidformer/engine/cubes.hpp"
 #include "rigidformer/model/base_motion.hpp"
 #include "rigidformer/model/random_scene.hpp"
 #include "rigidformer/scene/mean_material.hpp"
@@ -13,44 +14,15 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kStepFrames = 10.0;
-const double kTimeStep_s = kStepFrames / kFrameRateHz;
-
 ModelOptions engine_options() {
   ModelOptions options = contact_aware(model_preset("tiny"));
   options.engine_motion = true;
   return options;
 }
 
-/// Unit cubes with known material above a floor, centre of mass in the origin of the reference frame.
-struct Cubes {
-  SceneBatch batch;
-  SceneState state;
-  Tensor centre;
-
-  explicit Cubes(std::int64_t count) {
-    const Tensor bits = torch::arange(8, torch::kInt64).unsqueeze(-1).bitwise_and(torch::tensor({1, 2, 4}));
-    batch.points_reference = ((bits > 0).to(torch::kFloat64) - 0.5).expand({1, count, 8, 3}).clone();
-    batch.point_mask = torch::ones({1, count, 8}, torch::kBool);
-    batch.object_mask = torch::ones({1, count}, torch::kBool);
-    batch.dynamic_mask = batch.object_mask.clone();
-    batch.properties = torch::tensor({1.0, 0.5, 0.5}, torch::kFloat64).expand({1, count, 3}).clone();
-    batch.properties_known = torch::ones({1, count, 3}, torch::kFloat64);
-    batch.step_size = torch::full({1}, kStepFrames, torch::kFloat64);
-    batch.ground_height = torch::zeros({1}, torch::kFloat64);
-    batch.gravity = torch::full({1}, -10.0, torch::kFloat64);
-    centre = torch::zeros({1, count, 3}, torch::kFloat64);
-    const Tensor identity = torch::eye(3, torch::kFloat64).expand({1, count, 3, 3}).clone();
-    state.first = state.previous = state.current = {identity, torch::zeros({1, count, 3}, torch::kFloat64)};
-    state.previous.translation = state.current.translation.clone();
-  }
-
-  void place(std::int64_t k, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
-    for (std::int64_t axis = 0; axis < 3; ++axis) {
-      state.current.translation[0][k][axis] = position[axis];
-      state.previous.translation[0][k][axis] = position[axis] - velocity[axis] * kTimeStep_s;
-    }
-  }
+/// Cubes that the engine moves.
+struct EngineCubes : Cubes {
+  using Cubes::Cubes;
 
   EngineStep engine() const { return make_engine_step(engine_options(), batch, centre); }
 
@@ -70,7 +42,7 @@ struct Cubes {
 };
 
 TEST(EngineStep, ModelsWithoutEngineHaveNone) {
-  EXPECT_FALSE(make_engine_step(model_preset("tiny"), Cubes(1).batch, Cubes(1).centre));
+  EXPECT_FALSE(make_engine_step(model_preset("tiny"), EngineCubes(1).batch, EngineCubes(1).centre));
 }
 
 TEST(EngineStep, FreeFlightIsTheBaseMotion) {
@@ -91,7 +63,7 @@ TEST(EngineStep, FreeFlightIsTheBaseMotion) {
 }
 
 TEST(EngineStep, VelocityIsCarriedThroughImpacts) {
-  Cubes cubes(1);
+  EngineCubes cubes(1);
   cubes.place(0, {0.0, 0.0, 0.75}, {0.5, 0.0, -4.0});
   BulletSettings settings;
   settings.substeps = 1;
@@ -114,7 +86,7 @@ TEST(EngineStep, VelocityIsCarriedThroughImpacts) {
 }
 
 TEST(EngineStep, WhatLiesStaysWhereItIs) {
-  Cubes cubes(1);
+  EngineCubes cubes(1);
   cubes.place(0, {1.0, 2.0, 0.501}, {0.0, 0.0, 0.0});
   const Pose after = cubes.roll_out(24);
   EXPECT_LT(largest_difference(after.translation, cubes.state.current.translation), 2e-3);
@@ -122,7 +94,7 @@ TEST(EngineStep, WhatLiesStaysWhereItIs) {
 }
 
 TEST(EngineStep, GivenMotionPushesAndIsNotPushed) {
-  Cubes cubes(2);
+  EngineCubes cubes(2);
   cubes.place(0, {0.0, 0.0, 5.0}, {3.0, 0.0, 0.0});
   cubes.place(1, {1.05, 0.0, 5.0}, {0.0, 0.0, 0.0});
   cubes.batch.dynamic_mask[0][0] = false;
@@ -133,7 +105,7 @@ TEST(EngineStep, GivenMotionPushesAndIsNotPushed) {
 }
 
 TEST(EngineStep, TheGroundIsWhereTheSceneHasIt) {
-  Cubes cubes(1);
+  EngineCubes cubes(1);
   cubes.place(0, {0.0, 0.0, 2.501}, {0.0, 0.0, 0.0});
   cubes.batch.ground_height.fill_(2.0);
   EXPECT_NEAR(cubes.height(cubes.roll_out(10), 0), 2.5, 5e-3);
@@ -143,7 +115,7 @@ TEST(EngineStep, TheGroundIsWhereTheSceneHasIt) {
 
 TEST(EngineStep, OnlyRatiosOfMassesMatter) {
   const auto after_collision = [](double unit_kg) {
-    Cubes cubes(2);
+    EngineCubes cubes(2);
     cubes.place(0, {0.0, 0.0, 0.5}, {3.0, 0.0, 0.0});
     cubes.place(1, {1.1, 0.2, 0.7}, {-1.0, 0.0, 0.0});
     cubes.batch.properties[0][0][0] = unit_kg;
@@ -157,7 +129,7 @@ TEST(EngineStep, OnlyRatiosOfMassesMatter) {
 
 TEST(EngineStep, UnknownMaterialIsTheMeanOfTheScenes) {
   const auto slides = [](const Tensor& properties, double known) {
-    Cubes cubes(1);
+    EngineCubes cubes(1);
     cubes.place(0, {0.0, 0.0, 0.5}, {2.0, 0.0, -1.0});
     cubes.batch.properties.copy_(properties);
     cubes.batch.properties_known.fill_(known);
@@ -172,7 +144,7 @@ TEST(EngineStep, UnknownMaterialIsTheMeanOfTheScenes) {
 }
 
 TEST(EngineStep, ImpossibleSpeedsStayFinite) {
-  Cubes cubes(2);
+  EngineCubes cubes(2);
   cubes.place(0, {0.0, 0.0, 2.0}, {0.0, 0.0, -1e38});
   cubes.place(1, {0.0, 0.0, 0.5}, {0.0, 0.0, 0.0});
   const Pose after = cubes.roll_out(3);
@@ -181,12 +153,12 @@ TEST(EngineStep, ImpossibleSpeedsStayFinite) {
 }
 
 TEST(EngineStep, BatchAndOneByOneAgree) {
-  Cubes first(2), second(2);
+  EngineCubes first(2), second(2);
   first.place(0, {0.0, 0.0, 0.7}, {0.0, 0.0, -3.0});
   first.place(1, {0.2, 0.0, 2.0}, {0.0, 0.0, -5.0});
   second.place(0, {0.0, 0.0, 1.5}, {2.0, 0.0, 0.0});
   second.place(1, {1.3, 0.1, 1.6}, {-2.0, 0.0, 0.0});
-  Cubes both = first;
+  EngineCubes both = first;
   const auto join = [](Tensor& a, const Tensor& b) { a = torch::cat({a, b}); };
   for (auto member : {&SceneBatch::points_reference, &SceneBatch::point_mask, &SceneBatch::object_mask,
                       &SceneBatch::dynamic_mask, &SceneBatch::properties, &SceneBatch::properties_known,
@@ -240,7 +212,7 @@ TEST(EngineStep, TheNetworkCanLeaveAStepToItEntirely) {
 }
 
 TEST(EngineStep, WhatMovesIsSeenFromAllSidesAndOfKnownMaterialIsCertain) {
-  Cubes cubes(4);
+  EngineCubes cubes(4);
   for (std::int64_t k = 0; k < 3; ++k) cubes.place(k, {3.0 * static_cast<double>(k), 0.0, 0.4}, {0.0, 0.0, -2.0});
   cubes.place(3, {9.0, 0.0, 0.5}, {0.1, 0.0, 0.0});
   cubes.batch.properties_known[0][1][2] = 0.0;
@@ -285,7 +257,7 @@ TEST(EngineStep, TheNetworkReadsAndUsesIt) {
 }
 
 TEST(EngineStep, P36_AnObjectWithoutABodyIsNamed) {
-  Cubes cubes(3);
+  EngineCubes cubes(3);
   cubes.batch.points_reference[0][1] += 1e12;  // single precision has no room for a cube there
   try {
     cubes.engine();

@@ -48,6 +48,11 @@ const std::vector<std::pair<std::string, Change>>& changes() {
       {"velocity output", [](ModelOptions& o) { o.velocity_output = true; }},
       {"end velocity", [](ModelOptions& o) { o.end_velocity_output = true; }},
       {"local planes", [](ModelOptions& o) { o.local_planes = true; }},
+      {"contact tokens",
+       [](ModelOptions& o) {
+         o = contact_aware(o);
+         o.contact_tokens = true;
+       }},
       {"more points", [](ModelOptions& o) { o.max_points = 1200; }},
       {"no rest", [](ModelOptions& o) { o.rest_speed_mps = 0.0; }},
       {"restful", [](ModelOptions& o) { o.rest_spin_radps = 1.0 / 3.0; }},
@@ -67,7 +72,8 @@ void expect_finite_training_step(const ModelOptions& options, torch::ScalarType 
   Tensor loss = centre.square().sum();
   for (int step = 0; step < 2; ++step) {
     const StepPrediction prediction = model->forward(scene.batch, state, centre, nearest_by_distance_matrix,
-                                                     make_engine_step(options, scene.batch, centre));
+                                                     make_engine_step(options, scene.batch, centre),
+                                                     make_contact_search(options, scene.batch, centre));
     ASSERT_EQ(prediction.anchors_raw.sizes(), (std::vector<std::int64_t>{2, 2, options.num_anchors, 3}));
     loss = loss + prediction.anchors_raw.square().sum() + prediction.pose.apply(scene.batch.points_reference).sum();
     state = advance(scene.batch, state, prediction);
@@ -103,9 +109,10 @@ TEST(ModelOptionsTest, PaperPresetHasTheNumbersOfTheText) {
   EXPECT_EQ(o.num_anchors, 4);
   EXPECT_EQ(o.scales, (std::vector<int>{0, 1, 2, 4}));
   EXPECT_EQ(o.dropout, 0.1);
-  for (const bool beyond : {o.inertial_base_motion, o.contact_gate, o.centre_of_mass_head, o.position_feature,
-                            o.contact_features, o.property_mask, o.own_token_in_query, o.velocity_output,
-                            o.end_velocity_output, o.engine_motion, o.hidden_side_head, o.local_planes}) {
+  for (const bool beyond :
+       {o.inertial_base_motion, o.contact_gate, o.centre_of_mass_head, o.position_feature, o.contact_features,
+        o.property_mask, o.own_token_in_query, o.velocity_output, o.end_velocity_output, o.engine_motion,
+        o.hidden_side_head, o.local_planes, o.contact_tokens}) {
     EXPECT_FALSE(beyond);
   }
 }
@@ -139,8 +146,8 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
     EXPECT_THROW(model_options_from_json(text), std::invalid_argument) << text;
     return error_of([&] { model_options_from_json(text); });
   };
-  const std::set<std::string> newer = {"end_velocity_output", "engine_motion",  "hidden_side_head", "local_planes",
-                                       "max_points",          "rest_speed_mps", "rest_spin_radps"};
+  const std::set<std::string> newer = {"end_velocity_output", "engine_motion", "hidden_side_head", "local_planes",
+                                       "contact_tokens",      "max_points",    "rest_speed_mps",   "rest_spin_radps"};
   for (const auto& [key, value] : good.items()) {
     Json json = good;
     json.erase(key);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "rigidformer/engine/contact_search.hpp"
 #include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/nearest.hpp"
 #include "rigidformer/model/options.hpp"
@@ -141,7 +142,8 @@ inline StepPrediction predict(RigidFormer& model, const RandomScene& scene) {
   torch::NoGradGuard no_grad;
   const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
   return model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix,
-                        make_engine_step(model->options, scene.batch, centre));
+                        make_engine_step(model->options, scene.batch, centre),
+                        make_contact_search(model->options, scene.batch, centre));
 }
 
 }  // namespace rigidformer

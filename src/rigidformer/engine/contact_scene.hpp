@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "pose_table.hpp"
+#include "rigidformer/engine/observed_solid.hpp"
+
+namespace rigidformer {
+
+/// A contact as one side sees it; the members are those of Contacts.
+struct FoundContact {
+  std::int64_t object = 0, partner = -1;
+  Eigen::Vector3d point, partner_point, normal;
+  double fraction = 0.0, gap_m = 0.0;
+};
+
+/// The objects of one scene as convex hulls, among which contacts are searched. Only geometry: nothing moves by it.
+class ContactScene {
+ public:
+  /// Scene `b` of a batch; centre_reference [B, K, 3] in double precision; all on the CPU. Throws BodyError.
+  ContactScene(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b);
+  ~ContactScene();
+  ContactScene(ContactScene&&) noexcept;
+
+  /// The contacts of a step between two poses of every object.
+  std::vector<FoundContact> search(const PoseTable& from, const PoseTable& to) const;
+
+  /// Writes this scene's rows of Contacts::mass and Contacts::inverse_inertia, both in double precision.
+  void describe_bodies(Tensor& mass, Tensor& inverse_inertia) const;
+
+ private:
+  struct Body;
+  struct Motion;
+
+  void meet_each_other(const Motion& a, const Motion& b, std::vector<FoundContact>& found) const;
+  void meet_ground(const Motion& motion, std::vector<FoundContact>& found) const;
+
+  std::int64_t scene_;
+  double ground_height_m_;
+  std::vector<Body> bodies_;
+};
+
+}  // namespace rigidformer

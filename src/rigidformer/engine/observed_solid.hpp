@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "rigidformer/model/batch.hpp"
+#include "rigidformer/scene/object.hpp"
+#include "rigidformer/scene/shape.hpp"
+
+namespace rigidformer {
+
+/// An object of which no body can be made.
+class BodyError : public std::invalid_argument {
+ public:
+  BodyError(std::int64_t object, const std::string& reason) : std::invalid_argument(reason), object_(object) {}
+  std::int64_t object() const { return object_; }  ///< Index k in the batch
+
+ private:
+  std::int64_t object_;
+};
+
+/// One object of a batch as a solid body.
+struct ObservedSolid {
+  std::int64_t object = 0;           ///< Index k in the batch
+  bool dynamic = true;               ///< Else its motion is given
+  ConvexPart hull;                   ///< Relative to the centre of mass, axes of the reference frame [m]
+  Eigen::Vector3d centre_reference;  ///< Centre of mass in the reference frame [m]
+  BodyProperties properties;         ///< Complete: the means of the MOVi scenes stand for what is unknown
+  bool fully_known = false;          ///< Seen from all sides and of known material
+};
+
+/// The objects of scene `b` of a batch; centre_reference [B, K, 3] in double precision; all on the CPU. Throws
+/// BodyError for the first one whose points span no volume.
+std::vector<ObservedSolid> observe_solids(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b);
+
+}  // namespace rigidformer
