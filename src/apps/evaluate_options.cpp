@@ -74,6 +74,9 @@ void add_observation_options(CLI::App& app, EvaluateOptions& options) {
       ->capture_default_str();
   app.add_option("--noise", observation.noise_m, "Standard deviation of the points [m]")->capture_default_str();
   app.add_option("--mask", observation.masked_fraction, "Share of the points dropped at random")->capture_default_str();
+  app.add_option("--mask-box", observation.boxed_fraction,
+                 "Share of the points dropped inside a random box of every object")
+      ->capture_default_str();
   app.add_flag("--view", observation.one_view, "Keep only points that face one camera");
 }
 

@@ -39,6 +39,7 @@ struct ModelOptions {
   double ffn_expansion = 2.5;
   int film_hidden = 32;
   int block_residual_size = 4;
+  bool residual_per_sublayer = false;
   double dropout = 0.0;
   bool gated_attention = true;
   int control_dim = 0;
@@ -96,6 +97,8 @@ void for_each_size(ModelOptions& o, const Visit& visit) {
   visit("film_hidden", o.film_hidden, positive().fixed(), "hidden width of the FiLM networks");
   visit("block_residual_size", o.block_residual_size, at_least(0).fixed(),
         "sublayers per block of the block attention residuals; 0 = off");
+  visit("residual_per_sublayer", o.residual_per_sublayer, anything().fixed().newer(),
+        "every sublayer chooses its input from block sums (ref. [20]); else one choice at the end of each block");
   visit("dropout", o.dropout, less_than_all(), "in the decoder, when learning");
   visit("gated_attention", o.gated_attention, anything(), "Tab. 6");
   visit("control_dim", o.control_dim, at_least(0), "width of the control code appended to (s, s^2), App. I");

@@ -51,6 +51,29 @@ Points masked(const Points& points, double fraction, std::mt19937_64& random) {
   return points(rows, Eigen::all);
 }
 
+/// Drops the points inside a box around a random point, whose proportions are random and whose size follows from the
+/// share that is dropped.
+Points without_box(const Points& points, double fraction, std::mt19937_64& random) {
+  std::uniform_int_distribution<Eigen::Index> any_row(0, points.rows() - 1);
+  std::uniform_real_distribution<float> edge(0.5F, 1.0F);
+  const Eigen::RowVector3f middle = points.row(any_row(random));
+  const Eigen::RowVector3f edges(edge(random), edge(random), edge(random));
+  const Eigen::VectorXf box_size =
+      ((points.rowwise() - middle).array().rowwise() / edges.array()).abs().rowwise().maxCoeff();
+  std::vector<Eigen::Index> rows(points.rows());
+  std::iota(rows.begin(), rows.end(), 0);
+  std::stable_sort(rows.begin(), rows.end(), [&](auto a, auto b) { return box_size[a] > box_size[b]; });
+  const auto num_kept = static_cast<std::size_t>(static_cast<double>(rows.size()) * (1.0 - fraction) + 0.5);
+  rows.resize(std::min(rows.size(), std::max(num_kept, kMinPoints)));
+  return points(rows, Eigen::all);
+}
+
+void check_share(const char* name, double value) {
+  if (value >= 0.0 && value < 1.0) return;
+  throw std::invalid_argument(std::string("observation: ") + name + " is " + std::to_string(value) +
+                              ", must lie in [0, 1)");
+}
+
 void add_noise(Points& points, double standard_deviation_m, std::mt19937_64& random) {
   std::normal_distribution<float> noise(0.0F, static_cast<float>(standard_deviation_m));
   for (Eigen::Index i = 0; i < points.size(); ++i) {
@@ -68,10 +91,8 @@ void ObservationOptions::validate() const {
   if (!(noise_m >= 0.0)) {
     throw std::invalid_argument("observation: noise_m is " + std::to_string(noise_m) + ", must not be negative");
   }
-  if (!(masked_fraction >= 0.0 && masked_fraction < 1.0)) {
-    throw std::invalid_argument("observation: masked_fraction is " + std::to_string(masked_fraction) +
-                                ", must lie in [0, 1)");
-  }
+  check_share("masked_fraction", masked_fraction);
+  check_share("boxed_fraction", boxed_fraction);
 }
 
 Observer::Observer(const std::vector<Shape>& shapes, const ObservationOptions& options) : options_(options) {
@@ -96,6 +117,9 @@ Points Observer::observed_points(const RecordedObject& object, int frame, std::u
   std::mt19937_64 random(seed);
   if (options_.masked_fraction > 0.0) {
     points = masked(points, options_.masked_fraction, random);
+  }
+  if (options_.boxed_fraction > 0.0) {
+    points = without_box(points, options_.boxed_fraction, random);
   }
   if (options_.noise_m > 0.0) {
     add_noise(points, options_.noise_m, random);

@@ -33,11 +33,46 @@ DecoderBlockImpl::DecoderBlockImpl(const ModelOptions& options, std::int64_t cod
   ffn = register_module("ffn", SwiGlu(D, options.ffn_expansion, options.dropout));
 }
 
-Tensor DecoderBlockImpl::forward(const TokenSet& z, const Tensor& code) {
+Tensor DecoderBlockImpl::attention_update(const TokenSet& z) {
   const TokenSet normed{attention_norm(z.tokens), z.mask, z.angles};
-  const Tensor z_tilde = attention(normed, normed) + z.tokens;
+  return attention(normed, normed);
+}
+
+Tensor DecoderBlockImpl::feed_forward(const Tensor& z_tilde, const Tensor& code) {
   const Tensor z_hat = film(z_tilde, code);
   return ffn(ffn_norm(z_hat)) + z_hat;
+}
+
+Tensor DecoderBlockImpl::forward(const TokenSet& z, const Tensor& code) {
+  return feed_forward(attention_update(z) + z.tokens, code);
+}
+
+AttentionResidualImpl::AttentionResidualImpl(std::int64_t dim) {
+  norm = register_module("norm", RmsNorm(dim));
+  query = register_module("query", Linear(dim, 1, false));
+  query->zero();
+}
+
+Tensor AttentionResidualImpl::forward(const std::vector<Tensor>& sources) {
+  const Tensor stacked = torch::stack(sources, -2);  // [B, T, S, D]
+  const Tensor weights = torch::softmax(query(norm(stacked)).squeeze(-1), -1);
+  return (weights.unsqueeze(-1) * stacked).sum(-2);
+}
+
+BlockSums::BlockSums(const Tensor& embedding, std::int64_t sublayers_per_block)
+    : sublayers_per_block_(sublayers_per_block), finished_{embedding} {}
+
+void BlockSums::add(const Tensor& update) {
+  partial_ = partial_.defined() ? partial_ + update : update;
+  if (++sublayers_ % sublayers_per_block_ != 0) return;
+  finished_.push_back(partial_);
+  partial_ = Tensor();
+}
+
+std::vector<Tensor> BlockSums::sources() const {
+  std::vector<Tensor> sources = finished_;
+  if (partial_.defined()) sources.push_back(partial_);
+  return sources;
 }
 
 BlockResidualImpl::BlockResidualImpl(std::int64_t dim, std::int64_t num_summaries) {
@@ -56,13 +91,21 @@ Tensor BlockResidualImpl::forward(const std::vector<Tensor>& summaries) {
 }
 
 ObjectDecoderImpl::ObjectDecoderImpl(const ModelOptions& options, std::int64_t code_dim)
-    : blocks_per_summary(options.block_residual_size / kSublayersPerBlock) {
+    : sublayers_per_block(options.block_residual_size),
+      residual_per_sublayer(options.residual_per_sublayer && options.block_residual_size > 0) {
   registers = register_parameter("registers", 0.02 * torch::randn({options.num_registers, options.embedding_dim}));
+  const std::int64_t blocks_per_summary = sublayers_per_block / kSublayersPerBlock;
   for (std::int64_t layer = 0; layer < options.num_layers; ++layer) {
     blocks->push_back(DecoderBlock(options, code_dim));
+    if (residual_per_sublayer) continue;
     const bool ends_summary = blocks_per_summary > 0 && (layer + 1) % blocks_per_summary == 0;
     if (ends_summary) {
       residuals->push_back(BlockResidual(options.embedding_dim, (layer + 1) / blocks_per_summary + 1));
+    }
+  }
+  if (residual_per_sublayer) {  // one before every sublayer, and one for what leaves the last
+    for (std::int64_t i = 0; i <= kSublayersPerBlock * options.num_layers; ++i) {
+      residuals->push_back(AttentionResidual(options.embedding_dim));
     }
   }
   register_module("blocks", blocks);
@@ -71,16 +114,41 @@ ObjectDecoderImpl::ObjectDecoderImpl(const ModelOptions& options, std::int64_t c
 
 std::vector<Tensor> ObjectDecoderImpl::forward(const TokenSet& objects, const Tensor& code) {
   const std::int64_t K = objects.tokens.size(1);
-  TokenSet z = with_registers(objects, registers);
-  std::vector<Tensor> outputs = {objects.tokens};  // Z^(0)
+  const TokenSet z = with_registers(objects, registers);
+  std::vector<Tensor> outputs = residual_per_sublayer ? forward_per_sublayer(z, code) : forward_per_block(z, code);
+  for (Tensor& output : outputs) output = output.slice(1, 0, K);
+  return outputs;
+}
+
+/// Z^(l) is what enters block l + 1, and Z^(L) what leaves the last one.
+std::vector<Tensor> ObjectDecoderImpl::forward_per_sublayer(TokenSet z, const Tensor& code) {
+  BlockSums sums(z.tokens, sublayers_per_block);
+  auto residual = residuals->begin();
+  const auto next_input = [&] { return (*residual++)->as<AttentionResidual>()->forward(sums.sources()); };
+  std::vector<Tensor> outputs;
+  for (const auto& module : *blocks) {
+    auto* block = module->as<DecoderBlock>();
+    z.tokens = next_input();
+    outputs.push_back(z.tokens);
+    sums.add(block->attention_update(z));
+    const Tensor z_tilde = next_input();
+    sums.add(block->feed_forward(z_tilde, code) - z_tilde);
+  }
+  outputs.push_back(next_input());
+  return outputs;
+}
+
+std::vector<Tensor> ObjectDecoderImpl::forward_per_block(TokenSet z, const Tensor& code) {
+  std::vector<Tensor> outputs = {z.tokens};  // Z^(0)
   std::vector<Tensor> summaries = {z.tokens};
+  const auto blocks_per_summary = static_cast<size_t>(sublayers_per_block / kSublayersPerBlock);
   for (size_t layer = 0; layer < blocks->size(); ++layer) {
     z.tokens = blocks[layer]->as<DecoderBlock>()->forward(z, code);
     if (blocks_per_summary > 0 && (layer + 1) % blocks_per_summary == 0) {
       summaries.push_back(z.tokens);
       z.tokens = residuals[summaries.size() - 2]->as<BlockResidual>()->forward(summaries);
     }
-    outputs.push_back(z.tokens.slice(1, 0, K));
+    outputs.push_back(z.tokens);
   }
   return outputs;
 }

@@ -51,12 +51,15 @@ ModelOptions paper_preset() {
   o.head_dim = 128;
   o.rotary_dim = 96;
   o.num_registers = 16;
+  o.residual_per_sublayer = true;
   o.film_hidden = 768;
   o.dropout = 0.1;
   o.avp_hidden = 256;
   o.avp_dim = 256;
   o.predictor_layers_per_scale = 2;
   o.head_hidden = 768;
+  o.max_points = 1200;
+  o.rest_speed_mps = 0.0;
   return o;
 }
 

@@ -3,6 +3,7 @@
 #include "rigidformer/model/rigidformer.hpp"
 
 #include <stdexcept>
+#include <string>
 
 #include "rigidformer/model/features.hpp"
 #include "rigidformer/model/rigid_projection.hpp"
@@ -15,12 +16,15 @@ constexpr double kPositionUnit = 5.0;      // [m] half the width of the MOVi are
 constexpr double kFirstEngineLogit = 1.5;  // training starts with an engine share of 0.9; chosen by eye
 constexpr double kEngineShareScale = 1.1;  // above 1, so that a share of exactly 1 is reached; chosen by eye
 
-/// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim]. A scene without a command has c = 0.
+/// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim].
 Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
   const Tensor s = batch.step_size.unsqueeze(-1) / kStepUnit;
-  const Tensor c =
-      batch.control.defined() ? batch.control : torch::zeros({s.size(0), options.control_dim}, s.options());
-  return torch::cat({s, s.square(), c}, -1);
+  const std::int64_t width = batch.control.defined() ? batch.control.size(-1) : 0;
+  if (width != options.control_dim) {
+    throw std::invalid_argument("the scene has a command of " + std::to_string(width) + " numbers, the model wants " +
+                                std::to_string(options.control_dim));
+  }
+  return width == 0 ? torch::cat({s, s.square()}, -1) : torch::cat({s, s.square(), batch.control}, -1);
 }
 
 /// The points [B, K, P, 3] that tell what an object is, in world coordinates, and a mask of the valid ones.

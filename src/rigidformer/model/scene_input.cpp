@@ -10,11 +10,13 @@
 #include "rigidformer/geometry/farthest_point_sampling.hpp"
 #include "rigidformer/geometry/surface_normals.hpp"
 #include "rigidformer/model/anchors.hpp"
+#include "rigidformer/model/tensor_random.hpp"
 #include "rigidformer/scene/mean_material.hpp"
 
 namespace rigidformer {
 namespace {
 
+constexpr std::uint64_t kAnchorSeed = 1;          // of random anchors; any number does
 constexpr std::int64_t kPointBucket = 64;         // points; padded sizes are multiples of it; by eye
 constexpr std::int64_t kMaxSurfacePoints = 4096;  // points of an object that the engine gets; chosen by eye
 
@@ -146,9 +148,10 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
     store_pose(object.T_world_current, input.origin_world, input.state.current, k);
   }
   input.state.first = input.state.previous;
-  if (model.engine_motion) store_surfaces(objects, batch);
+  if (model.engine_motion || model.contact_tokens) store_surfaces(objects, batch);
   if (model.local_planes) store_normals(input.clouds, batch);
-  const Tensor start_score = model.random_anchors ? torch::rand({1, K, N}) : Tensor();
+  const TensorRandom random(torch::kCPU, kAnchorSeed);  // the same scene gets the same anchors
+  const Tensor start_score = model.random_anchors ? random.uniform({1, K, N}, torch::kFloat32) : Tensor();
   batch.anchor_index = farthest_anchors(batch.points_reference, batch.point_mask, model.num_anchors, start_score);
   return input;
 }

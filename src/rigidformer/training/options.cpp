@@ -116,6 +116,10 @@ class Section {
 void validate(const TrainingOptions& o) {
   require(o.augmentation.min_points <= o.augmentation.max_points,
           "'augmentation.min_points' must be at most max_points");
+  const auto& counts = o.augmentation.point_counts;
+  require(std::all_of(counts.begin(), counts.end(),
+                      [&](int count) { return count >= 4 && count <= o.augmentation.max_points; }),
+          "'augmentation.point_counts' must lie between 4 and max_points");
   require(o.point_sets.sets_per_shape >= 2 && o.point_sets.points_per_set >= o.augmentation.max_points,
           "'point_sets' needs at least 2 sets per shape and points_per_set of at least augmentation.max_points");
   require(!o.unroll.empty() && o.unroll.front().from == 0.0, "'unroll' must start with from: 0");

@@ -117,6 +117,7 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
 
   PointSetOptions validation_points = options.point_sets;
   validation_points.seed += 1000003;  // other surface samples than those of training
+  validation_points.points_per_set = options.model.max_points;
   data.summary = summary.str();
   for (const auto& folder : paths.validation) load_validation(folder, paths, validation_points, device, data);
   return data;

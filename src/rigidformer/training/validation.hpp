@@ -7,6 +7,7 @@
 
 #include "rigidformer/model/rigidformer.hpp"
 #include "rigidformer/windows/scene_tensors.hpp"
+#include "rigidformer/windows/window_batch.hpp"
 #include "rigidformer/windows/window_sampler.hpp"
 
 namespace rigidformer {
@@ -23,9 +24,9 @@ struct RolloutScore {
 struct ValidationOptions {
   std::vector<int> start_frames = {0, 120, 240};
   int step_size = 10;
-  int num_steps = 9;     ///< Two frames are given, so that frame start + 10 s = 100 is reached after nine steps
-  int num_points = 256;  ///< Surface samples per object
-  int batch_size = 64;   ///< Scenes per forward pass
+  int num_steps = 9;  ///< Two frames are given, so that frame start + 10 s = 100 is reached after nine steps
+  int num_points = kAllVertices;  ///< Or a number of surface samples per object
+  int batch_size = 1;             ///< Scenes per forward pass; more would be padded to the largest mesh of all
 
   /// Where a rollout from `start` ends.
   int last_frame(int start) const { return start + step_size * (num_steps + 1); }

@@ -35,8 +35,11 @@ void for_each_member(WindowOptions& o, const Visit& visit) {
 struct AugmentationOptions {
   int min_points = 64;
   int max_points = 128;
+  std::vector<int> point_counts;
   double vertex_probability = 0.0;
   double view_probability = 0.0;
+  double mask_probability = 0.0;
+  double masked_share = 0.25;
   double noise_m = 0.0;
   double unknown_probability = 0.0;
   double yaw_probability = 0.5;
@@ -50,8 +53,12 @@ template <typename Visit>
 void for_each_member(AugmentationOptions& o, const Visit& visit) {
   visit("min_points", o.min_points, at_least(4), "points per object, drawn per object between these bounds ...");
   visit("max_points", o.max_points, anything(), "... this is also the padded size");
+  visit("point_counts", o.point_counts, anything(), "where given, one of these is drawn per object instead");
   visit("vertex_probability", o.vertex_probability, share(), "windows that use mesh vertices instead of samples");
   visit("view_probability", o.view_probability, share(), "windows that keep only points facing one random camera");
+  visit("mask_probability", o.mask_probability, share(),
+        "windows whose objects lose points, half of them at random places, half inside a random box ...");
+  visit("masked_share", o.masked_share, less_than_all(), "... namely this share of their points (paper, Fig. 4)");
   visit("noise_m", o.noise_m, at_least(0.0), "largest standard deviation of point noise, drawn per window");
   visit("unknown_probability", o.unknown_probability, share(), "windows whose material parameters are hidden");
   visit("yaw_probability", o.yaw_probability, share(), "windows turned about the vertical axis ...");

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "rigidformer/model/centre_of_mass.hpp"
 #include "rigidformer/windows/free_motion.hpp"
 
 namespace rigidformer {
@@ -103,19 +105,50 @@ Tensor facing_camera(const PointCandidates& candidates, const Pose& pose, const 
   return facing.logical_or(enough.logical_not());
 }
 
+/// Drops a share of each object's points: at random, or those inside a box around a random point, whose proportions
+/// are drawn and whose size follows from the share. At least kMinVisiblePoints stay.
+Tensor unmasked(const PointCandidates& candidates, const Tensor& usable, const AugmentationOptions& options,
+                const TensorRandom& random) {
+  const std::int64_t B = usable.size(0), K = usable.size(1), M = usable.size(2);
+  const auto like = candidates.points.options();
+  const Tensor is_masked = random.uniform({B, 1, 1}, like) < options.mask_probability;
+  const Tensor in_box = random.uniform({B, 1, 1}, like) < 0.5;
+  const Tensor draw = random.uniform({B, K, M}, like).masked_fill(usable.logical_not(), -1.0);
+  const Tensor middle = gather_points(candidates.points, draw.argmax(-1, true));  // [B, K, 1, 3]
+  const Tensor edges = 0.5 + 0.5 * random.uniform({B, K, 1, 3}, like);
+  const Tensor box_size = ((candidates.points - middle) / edges).abs().amax(-1);  // that reaches each point
+  const Tensor score = torch::where(in_box, box_size, draw).masked_fill(usable.logical_not(), 1e9);
+  const auto order = [](const Tensor& values) { return std::get<1>(values.sort(-1)); };
+  const Tensor rank = order(order(score));
+  const Tensor count = usable.sum(-1, true);
+  const Tensor dropped = (options.masked_share * count).to(torch::kInt64);
+  const Tensor limit = torch::minimum(dropped, (count - kMinVisiblePoints).clamp_min(0));
+  return usable.logical_and((rank < limit).logical_and(is_masked).logical_not());
+}
+
+/// How many points [B, K] are wanted of each object.
+Tensor draw_counts(std::int64_t B, std::int64_t K, const AugmentationOptions& options, const torch::TensorOptions& like,
+                   const TensorRandom& random) {
+  const Tensor fraction = random.uniform({B, K}, like);
+  if (options.point_counts.empty()) {
+    return (options.min_points + fraction * (options.max_points - options.min_points)).round().to(torch::kInt64);
+  }
+  const Tensor counts = torch::tensor(options.point_counts, torch::kInt64).to(like.device());
+  return counts.index({(fraction * static_cast<double>(counts.size(0))).to(torch::kInt64)});
+}
+
 /// Moves the first `count` usable points of every object to the front, keeping farthest-point order.
 void keep_points(const PointCandidates& candidates, const Tensor& usable, const AugmentationOptions& options,
                  const TensorRandom& random, SceneBatch& scene) {
   const std::int64_t B = usable.size(0), K = usable.size(1), M = usable.size(2);
-  const std::int64_t N = std::min<std::int64_t>(options.max_points, M);
+  const Tensor wanted = draw_counts(B, K, options, candidates.points.options(), random);
+  const Tensor count = torch::minimum(wanted, usable.sum(-1));
+  const std::int64_t N = std::clamp<std::int64_t>(count.max().item<std::int64_t>(), 1, M);
   const Tensor rank = torch::arange(M, torch::TensorOptions(torch::kInt64).device(usable.device()));
   const Tensor order = std::get<1>((rank + M * usable.logical_not()).sort(-1)).slice(-1, 0, N);
   scene.points_reference = gather_points(candidates.points, order);
   scene.normals_reference = gather_points(candidates.estimated_normals, order);
-  const Tensor fraction = random.uniform({B, K}, candidates.points.options());
-  const Tensor wanted = (options.min_points + fraction * (options.max_points - options.min_points)).round();
-  const Tensor count = torch::minimum(wanted.to(torch::kInt64), usable.sum(-1)).unsqueeze(-1);
-  scene.point_mask = (rank.slice(0, 0, N) < count).logical_and(scene.object_mask.unsqueeze(-1));
+  scene.point_mask = (rank.slice(0, 0, N) < count.unsqueeze(-1)).logical_and(scene.object_mask.unsqueeze(-1));
 }
 
 /// The rows of the scene tensors that a batch is made of.
@@ -149,14 +182,8 @@ Tensor per_object(const Tensor& values, const WindowRows& rows) {
   return of_scene.gather(1, rows.order.unsqueeze(-1).expand({-1, -1, of_scene.size(2)}));
 }
 
-/// The motion by which a window as a whole is turned and shifted.
-struct Placement {
-  Tensor yaw;    ///< [B, 1, 3, 3]
-  Tensor shift;  ///< [B, 1, 3]
-};
-
-/// The true poses `offset` frames away from the T frames of the windows.
-std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& rows, const Placement& placement,
+/// The true poses `offset` frames away from the T frames of the windows, turned by yaw [B, 1, 3, 3].
+std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& rows, const Tensor& yaw,
                                std::int64_t offset) {
   const std::int64_t B = rows.order.size(0), K = rows.order.size(1), T = rows.frame.size(0) / B;
   const Tensor frame = (rows.frame + offset).clamp_min(0);
@@ -165,23 +192,21 @@ std::vector<Pose> window_poses(const SceneTensors& tensors, const WindowRows& ro
   std::vector<Pose> poses;
   for (std::int64_t t = 0; t < T; ++t) {
     const Tensor row = frames.select(1, t);
-    const Tensor& yaw = placement.yaw;
-    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1) + placement.shift;
+    const Tensor translation = torch::matmul(yaw, row.slice(-1, 0, 3).unsqueeze(-1)).squeeze(-1);
     poses.push_back({torch::matmul(yaw, rotation_matrix(row.slice(-1, 3))), translation});
   }
   return poses;
 }
 
-/// True motion of the windows, turned and shifted as a whole.
+/// True motion of the windows, turned as a whole.
 void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const AugmentationOptions& options,
                  const TensorRandom& random, WindowBatch& batch) {
   const auto like = tensors.poses.options();
   const std::int64_t B = rows.order.size(0);
-  const Placement placement{draw_yaw(B, options, like, random).unsqueeze(1),
-                            draw_shift(B, options.shift_m, like, random)};
-  batch.poses = window_poses(tensors, rows, placement, 0);
-  const std::vector<Pose> before = window_poses(tensors, rows, placement, -1);
-  const std::vector<Pose> earlier = window_poses(tensors, rows, placement, -2);
+  const Tensor yaw = draw_yaw(B, options, like, random).unsqueeze(1);
+  batch.poses = window_poses(tensors, rows, yaw, 0);
+  const std::vector<Pose> before = window_poses(tensors, rows, yaw, -1);
+  const std::vector<Pose> earlier = window_poses(tensors, rows, yaw, -2);
   for (size_t t = 2; t < batch.poses.size(); ++t) {
     batch.departures.push_back(free_motion_departure(earlier[t], before[t], batch.poses[t], batch.scene));
   }
@@ -202,6 +227,7 @@ void observe_points(const SceneTensors& tensors, const WindowRows& rows, const P
     const Tensor whole = random.uniform({B, 1, 1}, like) >= options.view_probability;
     usable = usable.logical_and(facing_camera(candidates, pose, random).logical_or(whole));
   }
+  if (options.mask_probability > 0.0) usable = unmasked(candidates, usable, options, random);
   if (options.noise_m > 0.0) {
     const Tensor deviation = random.uniform({B, 1, 1, 1}, like) * options.noise_m;
     candidates.points = candidates.points + deviation * random.normal(candidates.points.sizes(), like);
@@ -211,10 +237,29 @@ void observe_points(const SceneTensors& tensors, const WindowRows& rows, const P
   keep_points(candidates, usable, options, random, scene);
 }
 
+/// Moves the windows horizontally, so that the middle of what is observed is where it is at prediction
+/// (scene_origin() in model/scene_input.cpp), but for the drawn shift.
+void centre(const AugmentationOptions& options, const TensorRandom& random, WindowBatch& batch) {
+  const SceneBatch& scene = batch.scene;
+  const Tensor cloud_middle = centroid(scene.points_reference, scene.point_mask).unsqueeze(2);
+  const Tensor middle_world = batch.poses[1].apply(cloud_middle).squeeze(2);  // [B, K, 3]
+  const Tensor there = scene.object_mask.unsqueeze(-1).to(middle_world.scalar_type());
+  const Tensor middle = (middle_world * there).sum(1, true) / there.sum(1, true).clamp_min(1.0);
+  const Tensor shift = draw_shift(there.size(0), options.shift_m, middle.options(), random);
+  const Tensor horizontal = torch::tensor({1.0, 1.0, 0.0}, middle.options());
+  for (std::vector<Pose>* poses : {&batch.poses, &batch.departures}) {
+    for (Pose& pose : *poses) pose.translation = pose.translation - middle * horizontal + shift;
+  }
+}
+
 }  // namespace
 
 AugmentationOptions no_augmentation(int num_points) {
   AugmentationOptions options;
+  if (num_points == kAllVertices) {
+    options.vertex_probability = 1.0;
+    num_points = std::numeric_limits<int>::max();
+  }
   options.min_points = options.max_points = num_points;
   options.yaw_probability = options.permutation_probability = 0.0;
   return options;
@@ -241,6 +286,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   scene.gravity = tensors.gravity.index({rows.scene});
   draw_motion(tensors, rows, options, random, batch);
   observe_points(tensors, rows, batch.poses[1], options, random, batch);
+  centre(options, random, batch);
   const Tensor start_score = random_anchors ? random.uniform(scene.point_mask.sizes(), like) : Tensor();
   scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors, start_score);
   return batch;

@@ -6,9 +6,9 @@
 
 #include "rigidformer/model/anchors.hpp"
 #include "rigidformer/model/batch.hpp"
+#include "rigidformer/model/tensor_random.hpp"
 #include "rigidformer/windows/options.hpp"
 #include "rigidformer/windows/scene_tensors.hpp"
-#include "rigidformer/windows/tensor_random.hpp"
 #include "rigidformer/windows/window_sampler.hpp"
 
 namespace rigidformer {
@@ -29,7 +29,9 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
                               int num_anchors, const AugmentationOptions& options, bool random_anchors = false,
                               const TensorRandom& random = {});
 
-/// The settings for scoring: surface samples, no augmentation.
+constexpr int kAllVertices = 0;  ///< Instead of a number of surface samples
+
+/// The settings for scoring: that many surface samples or kAllVertices, no augmentation.
 AugmentationOptions no_augmentation(int num_points);
 
 }  // namespace rigidformer

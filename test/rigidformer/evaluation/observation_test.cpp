@@ -76,6 +76,22 @@ TEST(Observer, MaskDropsTheStatedShareButKeepsFour) {
   EXPECT_EQ(observe(options)[0].points_reference.rows(), 4);
 }
 
+TEST(Observer, BoxDropsTheStatedShareInOnePlace) {
+  ObservationOptions options;
+  options.num_points = 2000;
+  const Points whole = observe(options)[0].points_reference;
+  options.boxed_fraction = 0.25;
+  const Points kept = observe(options)[0].points_reference;
+  EXPECT_EQ(kept.rows(), 1500);
+  EXPECT_EQ(kept, observe(options)[0].points_reference) << "the same box every time";
+  // The middle of the box is far from all that is left: points of a unit cube at random lie 5 cm apart.
+  float farthest = 0.0F;
+  for (Eigen::Index i = 0; i < whole.rows(); ++i) {
+    farthest = std::max(farthest, (kept.rowwise() - whole.row(i)).rowwise().norm().minCoeff());
+  }
+  EXPECT_GT(farthest, 0.2F);
+}
+
 TEST(Observer, NoiseHasTheStatedSizeAndIsRepeatable) {
   ObservationOptions options;
   options.num_points = 2000;
@@ -96,6 +112,9 @@ TEST(Observer, RefusesWhatIsNotThere) {
 TEST(ObservationOptions, NamesFieldAndValue) {
   ObservationOptions options;
   options.masked_fraction = 1.0;
+  EXPECT_THROW(options.validate(), std::invalid_argument);
+  options = {};
+  options.boxed_fraction = -0.1;
   EXPECT_THROW(options.validate(), std::invalid_argument);
   options = {};
   options.num_points = 3;

@@ -30,6 +30,7 @@ const std::vector<std::pair<std::string, Change>>& changes() {
       {"random anchors", [](ModelOptions& o) { o.random_anchors = true; }},
       {"control", [](ModelOptions& o) { o.control_dim = 2; }},
       {"no registers", [](ModelOptions& o) { o.num_registers = 0; }},
+      {"residual per sublayer", [](ModelOptions& o) { o.residual_per_sublayer = true; }},
       {"no block residual", [](ModelOptions& o) { o.block_residual_size = 0; }},
       {"short blocks", [](ModelOptions& o) { o.block_residual_size = 2; }},
       {"dropout", [](ModelOptions& o) { o.dropout = 0.3; }},
@@ -61,9 +62,10 @@ const std::vector<std::pair<std::string, Change>>& changes() {
 }
 
 /// Two unrolled steps of a padded batch, then back: everything must stay finite.
-void expect_finite_training_step(const ModelOptions& options, torch::ScalarType compute_type) {
+void expect_finite_training_step(const ModelOptions& options, torch::ScalarType compute_type,
+                                 const std::vector<std::vector<std::int64_t>>& points = {{20, 9}, {12}}) {
   torch::manual_seed(1);
-  const RandomScene scene = random_scene(3, {{20, 9}, {12}}, options.num_anchors, options.control_dim, torch::kFloat32);
+  const RandomScene scene = random_scene(3, points, options.num_anchors, options.control_dim, torch::kFloat32);
   RigidFormer model(options);
   model->set_compute_type(compute_type);
   model->train();
@@ -74,7 +76,8 @@ void expect_finite_training_step(const ModelOptions& options, torch::ScalarType 
     const StepPrediction prediction = model->forward(scene.batch, state, centre, nearest_by_distance_matrix,
                                                      make_engine_step(options, scene.batch, centre),
                                                      make_contact_search(options, scene.batch, centre));
-    ASSERT_EQ(prediction.anchors_raw.sizes(), (std::vector<std::int64_t>{2, 2, options.num_anchors, 3}));
+    ASSERT_EQ(prediction.anchors_raw.sizes(),
+              (std::vector<std::int64_t>{static_cast<std::int64_t>(points.size()), 2, options.num_anchors, 3}));
     loss = loss + prediction.anchors_raw.square().sum() + prediction.pose.apply(scene.batch.points_reference).sum();
     state = advance(scene.batch, state, prediction);
   }
@@ -117,6 +120,14 @@ TEST(ModelOptionsTest, PaperPresetHasTheNumbersOfTheText) {
   }
 }
 
+TEST(ModelOptionsTest, PaperPresetLearnsOneStep) {
+  ModelOptions options = model_preset("paper");
+  EXPECT_TRUE(options.residual_per_sublayer);
+  EXPECT_EQ(options.rest_speed_mps, 0.0);
+  EXPECT_EQ(options.max_points, 1200);
+  expect_finite_training_step(options, torch::kFloat32, {{20, 9}});
+}
+
 TEST(ModelOptionsTest, JsonRoundTripIsLossless) {
   for (const std::string name : {"paper", "base", "small", "tiny"}) {
     const std::string text = to_json(model_preset(name));
@@ -146,8 +157,9 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
     EXPECT_THROW(model_options_from_json(text), std::invalid_argument) << text;
     return error_of([&] { model_options_from_json(text); });
   };
-  const std::set<std::string> newer = {"end_velocity_output", "engine_motion", "hidden_side_head", "local_planes",
-                                       "contact_tokens",      "max_points",    "rest_speed_mps",   "rest_spin_radps"};
+  const std::set<std::string> newer = {"end_velocity_output", "engine_motion",  "hidden_side_head",
+                                       "local_planes",        "contact_tokens", "residual_per_sublayer",
+                                       "max_points",          "rest_speed_mps", "rest_spin_radps"};
   for (const auto& [key, value] : good.items()) {
     Json json = good;
     json.erase(key);
@@ -279,6 +291,18 @@ TEST(ModelOptionsTest, ControlCodeReachesThePrediction) {
   const Tensor before = predict(model, scene).anchors_raw;
   scene.batch.control = scene.batch.control + 1.0;
   EXPECT_GT(largest_difference(predict(model, scene).anchors_raw, before), 1e-6);
+}
+
+TEST(ModelOptionsTest, ScenesWithoutTheirCommandAreRefused) {
+  ModelOptions options = model_preset("tiny");
+  options.control_dim = 2;
+  RigidFormer model = random_model(options);
+  const RandomScene silent = random_scene(3, {{20, 9}}), long_winded = random_scene(3, {{20, 9}}, 4, 3);
+  EXPECT_NE(error_of([&] { predict(model, silent); }).find("a command of 0 numbers, the model wants 2"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] { predict(model, long_winded); }).find("a command of 3 numbers"), std::string::npos);
+  RigidFormer free_model = random_model(model_preset("tiny"));
+  EXPECT_THROW(predict(free_model, long_winded), std::invalid_argument) << "nor is a command overheard";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rigidformer/windows/tensor_random.hpp"
+#include "rigidformer/model/tensor_random.hpp"
 
 #include <ATen/CPUGeneratorImpl.h>
 
