@@ -7,6 +7,7 @@
 
 #include "rigidformer/io/member_table.hpp"
 #include "rigidformer/training/options.hpp"
+#include "rigidformer/training/stages.hpp"
 
 namespace rigidformer {
 
@@ -23,9 +24,11 @@ std::string training_keys() {
 
 int run_train(const TrainCommand& command, std::ostream& log) {
   try {
-    TrainingOptions options = load_training_options(command.config, command.overrides);
-    if (command.iterations > 0) options.iterations = command.iterations;
-    train(options, command.paths, command.machine);
+    std::vector<TrainingOptions> stages = load_training_stages(command.config, command.overrides);
+    for (TrainingOptions& stage : stages) {
+      if (command.iterations > 0) stage.iterations = command.iterations;
+    }
+    train_in_stages(stages, command.paths, command.machine);
     return 0;
   } catch (const std::exception& exception) {
     log << "train: " << exception.what() << std::endl;

@@ -174,21 +174,45 @@ YAML::Node load_extended(const std::filesystem::path& file, std::vector<std::str
   return document;
 }
 
+/// The list of stages, which leaves the document.
+YAML::Node take_stages(YAML::Node& document) {
+  if (!document.IsMap() || !document["stages"]) return YAML::Node(YAML::NodeType::Sequence);
+  const YAML::Node stages = YAML::Clone(document["stages"]);
+  document.remove("stages");
+  require(stages.IsSequence() && stages.size() > 0, "'stages' must be a list of mappings");
+  for (const YAML::Node& stage : stages) require(stage.IsMap(), "'stages' must be a list of mappings");
+  return stages;
+}
+
 }  // namespace
 
-TrainingOptions load_training_options(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  TrainingOptions options;
+std::vector<TrainingOptions> load_training_stages(const std::filesystem::path& file,
+                                                  const std::vector<std::string>& overrides) {
+  std::vector<TrainingOptions> stages;
   try {
     YAML::Node document = load_extended(file, {});
-    for (const std::string& assignment : overrides) override_value(document, assignment);
-    Section(document, "").read(options);
-    validate(options);
+    const YAML::Node changes = take_stages(document);
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, changes.size()); ++i) {
+      if (i < changes.size()) merge(document, changes[i]);
+      YAML::Node stage = YAML::Clone(document);
+      for (const std::string& assignment : overrides) override_value(stage, assignment);
+      stages.emplace_back();
+      Section(stage, "").read(stages.back());
+      validate(stages.back());
+    }
   } catch (const YAML::Exception& exception) {
     throw std::invalid_argument("training file '" + file.string() + "': " + exception.what());
   } catch (const std::invalid_argument& exception) {
     throw std::invalid_argument("training file '" + file.string() + "': " + exception.what());
   }
-  return options;
+  return stages;
+}
+
+TrainingOptions load_training_options(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  std::vector<TrainingOptions> stages = load_training_stages(file, overrides);
+  require(stages.size() == 1, "training file '" + file.string() + "': it has " + std::to_string(stages.size()) +
+                                  " stages, where one is wanted");
+  return stages.front();
 }
 
 }  // namespace rigidformer

@@ -117,8 +117,14 @@ void for_each_member(TrainingOptions& o, const Visit& visit) {
 /// Reads a YAML file; keys left out keep their default (the model's preset for `model:`). `extends: FILE` stands for
 /// all that FILE says, which the keys beside it replace one by one; the path is relative to the file that names it.
 /// `overrides` go before the file, each "key=value" or "section.key=value" with a value in YAML. Throws
-/// std::invalid_argument naming file, key and accepted values for unknown keys, wrong types and values out of range.
+/// std::invalid_argument naming file, key and accepted values for unknown keys, wrong types and values out of range,
+/// and for files with several stages.
 TrainingOptions load_training_options(const std::filesystem::path& file,
                                       const std::vector<std::string>& overrides = {});
+
+/// Reads a file that may have `stages`, a list of mappings: each says what changes from the stage before, and the first
+/// what changes from the rest of the file. `overrides` count in every stage.
+std::vector<TrainingOptions> load_training_stages(const std::filesystem::path& file,
+                                                  const std::vector<std::string>& overrides = {});
 
 }  // namespace rigidformer

@@ -243,7 +243,8 @@ void Trainer::save() {
 void Trainer::restore() {
   const std::filesystem::path file = paths_.output / "state.safetensors";
   const TensorFile state = read_tensor_file(file);
-  if (state.metadata.at("model") != to_json(options_.model)) {
+  // Read and written again, because older states do not hold newer options.
+  if (to_json(model_options_from_json(state.metadata.at("model"))) != to_json(options_.model)) {
     throw std::runtime_error("'" + file.string() + "' was written for other model options; use another --out");
   }
   torch::NoGradGuard no_grad;

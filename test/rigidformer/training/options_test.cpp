@@ -40,8 +40,7 @@ TEST_F(TrainingOptionsTest, EveryShippedFileLoads) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kConfigFolder)) {
     if (entry.path().extension() != ".yaml") continue;
     SCOPED_TRACE(entry.path());
-    const TrainingOptions options = load_training_options(entry.path());
-    EXPECT_GT(options.iterations, 0);
+    for (const TrainingOptions& stage : load_training_stages(entry.path())) EXPECT_GT(stage.iterations, 0);
     ++files;
   }
   EXPECT_GE(files, 17);
@@ -223,6 +222,34 @@ TEST_F(TrainingOptionsTest, ExtendedFilesThatCannotBeReadAreNamed) {
   expect_refusal("extends: other.yaml", "no mapping");
   write_text(other, "iterations: [");
   expect_refusal("extends: other.yaml", other);
+}
+
+TEST_F(TrainingOptionsTest, AStageChangesTheOneBefore) {
+  write_text(path_,
+             "model: {preset: small}\niterations: 5\nbatch_size: 6\nloss: {beta: 0.5}\n"
+             "stages:\n  - {}\n  - {model: {contact_tokens: true}, iterations: 7, loss: {beta: 0.25}}\n"
+             "  - {loss: {position_weight: 2}, unroll: [{from: 0, steps: 3}]}\n");
+  const auto stages = load_training_stages(path_, {"batch_size=8"});
+  ASSERT_EQ(stages.size(), 3U);
+  EXPECT_EQ(stages[0].iterations, 5);
+  EXPECT_FALSE(stages[0].model.contact_tokens);
+  EXPECT_EQ(stages[1].iterations, 7);
+  EXPECT_TRUE(stages[2].model.contact_tokens);
+  EXPECT_EQ(stages[2].loss.beta, 0.25);
+  EXPECT_EQ(stages[2].loss.position_weight, 2.0);
+  EXPECT_EQ(stages[2].unroll.front().steps, 3);
+  EXPECT_EQ(stages[1].unroll.front().steps, 1);
+  for (const TrainingOptions& stage : stages) EXPECT_EQ(stage.batch_size, 8);
+  EXPECT_NE(error_of([&] { load_training_options(path_); }).find("3 stages"), std::string::npos);
+  EXPECT_EQ(load_training_stages(kConfigFolder / "tiny.yaml").size(), 1U);
+}
+
+TEST_F(TrainingOptionsTest, StagesThatAreNoneAreRefused) {
+  expect_refusal("stages: 3", "'stages' must be a list of mappings");
+  expect_refusal("stages: []", "'stages' must be a list of mappings");
+  expect_refusal("stages: [5]", "'stages' must be a list of mappings");
+  expect_refusal("stages: [{iteration: 5}]", "unknown key 'iteration'");
+  expect_refusal("stages: [{stages: [{}]}]", "unknown key 'stages'");
 }
 
 TEST_F(TrainingOptionsTest, AMissingFileIsNamed) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "rigidformer/data/example_archive.hpp"
@@ -14,6 +15,7 @@
 #include "rigidformer/training/options.hpp"
 #include "rigidformer/training/quiet_terminal.hpp"
 #include "rigidformer/training/simulated_scenes.hpp"
+#include "rigidformer/training/stages.hpp"
 #include "rigidformer/training/training_data.hpp"
 #include "rigidformer/windows/window_scenes.hpp"
 
@@ -22,6 +24,13 @@ namespace {
 
 constexpr std::int64_t kIterations = 30;  // iterations of a run, enough to be cut in two; chosen by eye
 const std::string kConfigFile = std::string(RIGIDFORMER_SOURCE_DIR) + "/config/train/tiny.yaml";
+
+bool same_weights(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const std::vector<Tensor> first = load_checkpoint(a).model->parameters();
+  const std::vector<Tensor> second = load_checkpoint(b).model->parameters();
+  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                    [](const Tensor& x, const Tensor& y) { return torch::equal(x, y); });
+}
 
 class TrainerTest : public ::testing::Test {
  protected:
@@ -56,6 +65,33 @@ class TrainerTest : public ::testing::Test {
   TrainingOptions options_;
   const QuietTerminal quiet_;
 };
+
+TEST_F(TrainerTest, StagesFollowEachOtherAndAreResumed) {
+  TrainingOptions second = options_;
+  options_.iterations = 4;
+  second.iterations = 6;
+  second.seed = 2;
+  second.model.own_token_in_query = true;
+  const auto run_all = [&](const std::string& output, double max_minutes, bool resume) {
+    TrainingMachine machine;
+    machine.device = "cpu";
+    machine.max_minutes = max_minutes;
+    machine.resume = resume;
+    train_in_stages({options_, second}, paths(output), machine);
+  };
+  run_all("whole", 0.0, false);
+  EXPECT_EQ(load_checkpoint(model_file("whole/stage_1")).facts.iterations, 4);
+  EXPECT_EQ(load_checkpoint(model_file("whole")).facts.iterations, 6);
+  EXPECT_TRUE(load_checkpoint(model_file("whole")).model->options.own_token_in_query);
+
+  run_all("parts", 1e-9, false);  // the first stage is begun only
+  EXPECT_FALSE(std::filesystem::exists(model_file("parts")));
+  run_all("parts", 0.0, true);
+  const auto first_written = std::filesystem::last_write_time(model_file("parts/stage_1"));
+  run_all("parts", 0.0, true);
+  EXPECT_EQ(std::filesystem::last_write_time(model_file("parts/stage_1")), first_written) << "a finished stage is kept";
+  EXPECT_TRUE(same_weights(model_file("parts"), model_file("whole")));
+}
 
 // The windows show mostly free flight, in which gravity is soon learned.
 TEST_F(TrainerTest, AHundredIterationsLowerTheLoss) {
