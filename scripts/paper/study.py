@@ -31,7 +31,7 @@ class Study:
         parser.add_argument('--out', type=pathlib.Path, default=ROOT / 'runs' / 'paper', help='folder of all tables')
         parser.add_argument('--workspace', type=pathlib.Path, default=ROOT / 'build' / 'catkin_ws')
         parser.add_argument('--shapes', help='shapes in KuBasic layout; default: the built-in ones')
-        parser.add_argument('--iterations', type=int, default=400, help='of every training')
+        parser.add_argument('--iterations', type=int, default=250, help='of every training')
         parser.add_argument('--scenes', type=int, default=16, help='test scenes per set; 120 in the protocol')
         parser.add_argument('--model', default=str(ROOT / 'models' / 'network.safetensors'),
                             help='for tables that need no training')

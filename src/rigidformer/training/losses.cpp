@@ -26,6 +26,12 @@ Tensor reach(const Tensor& points, const Tensor& mask, const Tensor& directions)
   return along.masked_fill(mask.logical_not().unsqueeze(-1), -1e6).amax(2);
 }
 
+/// What residuals of positions are divided by: a - a_gt = (q - q_gt) / dt^2, Eq. (10, 11).
+Tensor residual_unit(const LossOptions& options, const Tensor& dt) {
+  if (options.residual_unit == "dt") return dt;
+  return options.residual_unit == "dt2" ? dt.square() : (dt * kFrameRateHz).square();
+}
+
 }  // namespace
 
 Tensor step_loss(const LossOptions& options, const SceneBatch& batch, const StepPrediction& prediction,
@@ -35,7 +41,7 @@ Tensor step_loss(const LossOptions& options, const SceneBatch& batch, const Step
   const Tensor raw = prediction.anchors_raw - q_truth;                // Eq. (8)
   const Tensor rigid = prediction.pose.apply(q_reference) - q_truth;  // Eq. (9)
   const Tensor dt = batch.time_step().reshape({-1, 1, 1, 1});
-  const Tensor unit = options.residual_unit == "dt" ? dt : dt.square();  // a - a_gt = (q - q_gt) / dt^2, Eq. (10, 11)
+  const Tensor unit = residual_unit(options, dt);
   const Tensor mask = batch.object_mask.logical_and(batch.dynamic_mask);
   const Tensor position = smooth_l1(raw, mask, options.beta) + smooth_l1(rigid, mask, options.beta);
   const Tensor acceleration = smooth_l1(raw / unit, mask, options.beta) + smooth_l1(rigid / unit, mask, options.beta);

@@ -41,8 +41,8 @@ void for_each_member(LossOptions& o, const Visit& visit) {
   visit("acceleration_weight", o.acceleration_weight, anything(), "lambda_acc");
   visit("end_velocity_weight", o.end_velocity_weight, anything(),
         "Smooth L1 of the velocity at the end of the step, where the model predicts it");
-  visit("residual_unit", o.residual_unit, one_of({"dt", "dt2"}),
-        "acceleration residuals divided by dt2 (paper) or dt (velocity change)");
+  visit("residual_unit", o.residual_unit, one_of({"dt", "dt2", "frames2"}),
+        "acceleration residuals are those of positions divided by dt2 in s^2, by dt in s (velocity change), or by s^2");
   visit("beta", o.beta, positive(), "where Smooth L1 turns from square to line");
   visit("centre_of_mass_weight", o.centre_of_mass_weight, anything(),
         "Smooth L1 of the estimated centre of mass, in bounding radii");

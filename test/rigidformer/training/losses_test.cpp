@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "rigidformer/model/random_scene.hpp"
 
 namespace rigidformer {
@@ -36,6 +38,9 @@ TEST(StepLoss, MatchesHandComputedValues) {
   EXPECT_NEAR(miss.loss(options), 10.0 * 1.625 + 9.0, 1e-9);
   options.residual_unit = "dt";  // smooth(1) + smooth(4) = 0.5 + 3.5
   EXPECT_NEAR(miss.loss(options), 10.0 * 1.625 + 4.0, 1e-9);
+  options.residual_unit = "frames2";  // smooth(0.5 / 120^2) + smooth(2 / 120^2)
+  EXPECT_NEAR(miss.loss(options), 10.0 * 1.625 + 0.5 * (0.25 + 4.0) / std::pow(120.0, 4), 1e-9);
+  options.residual_unit = "dt";
   options.position_weight = 0.0;
   options.acceleration_weight = 3.0;
   EXPECT_NEAR(miss.loss(options), 12.0, 1e-9);
