@@ -167,6 +167,9 @@ void validate(const ModelOptions& options);
 std::string to_json(const ModelOptions& options);
 ModelOptions model_options_from_json(const std::string& json);
 
+/// Whether weights of one fit the other. How a predictor uses the network may differ.
+bool is_same_network(ModelOptions a, const ModelOptions& b);
+
 PositionEncoding position_encoding_from_string(const std::string& name);
 std::string to_string(PositionEncoding encoding);
 

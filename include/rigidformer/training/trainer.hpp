@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct TrainingMachine {
   int num_threads = 1;
   double max_minutes = 0.0;  ///< Minutes after which the run stops, to be resumed; 0 = no limit
   bool resume = false;       ///< Goes on exactly from the state in the output folder
+  /// Asked after every iteration: true = save and stop, to be resumed. May be empty.
+  std::function<bool()> should_stop = {};
 };
 
 /// Trains until all iterations are done or time is up. Throws std::invalid_argument or std::runtime_error.

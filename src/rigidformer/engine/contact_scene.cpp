@@ -78,13 +78,15 @@ void ContactScene::describe_bodies(Tensor& mass, Tensor& inverse_inertia) const 
 std::vector<FoundContact> ContactScene::search(const PoseTable& from, const PoseTable& to) const {
   std::vector<Motion> motions;
   for (const Body& body : bodies_) {
-    motions.emplace_back(body, from.get(scene_, body.solid.object), to.get(scene_, body.solid.object));
+    const RigidTransform start = from.get(scene_, body.solid.object), end = to.get(scene_, body.solid.object);
+    if (is_valid(start) && is_valid(end)) motions.emplace_back(body, start, end);  // a lost body meets nothing
   }
   std::vector<FoundContact> found;
   for (std::size_t a = 0; a < motions.size(); ++a) {
-    if (bodies_[a].solid.dynamic) meet_ground(motions[a], found);
+    const bool moves = motions[a].body->solid.dynamic;
+    if (moves) meet_ground(motions[a], found);
     for (std::size_t b = 0; b < a; ++b) {
-      if (bodies_[a].solid.dynamic || bodies_[b].solid.dynamic) meet_each_other(motions[a], motions[b], found);
+      if (moves || motions[b].body->solid.dynamic) meet_each_other(motions[a], motions[b], found);
     }
   }
   return found;

@@ -190,6 +190,13 @@ void validate(const ModelOptions& options) {
   check(approximate_weights(o) <= kMaxWeights, "number of weights", approximate_weights(o), "at most 1e9");
 }
 
+bool is_same_network(ModelOptions a, const ModelOptions& b) {
+  a.max_points = b.max_points;
+  a.rest_speed_mps = b.rest_speed_mps;
+  a.rest_spin_radps = b.rest_spin_radps;
+  return to_json(a) == to_json(b);
+}
+
 std::string to_json(const ModelOptions& options) {
   Json json;
   ModelOptions o = options;

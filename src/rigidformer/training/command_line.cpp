@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/training/command_line.hpp"
 
+#include <csignal>
 #include <exception>
 #include <type_traits>
 
@@ -10,6 +11,11 @@
 #include "rigidformer/training/stages.hpp"
 
 namespace rigidformer {
+namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;  // by Ctrl-C or kill
+
+}  // namespace
 
 std::string training_keys() {
   TrainingOptions options;
@@ -28,7 +34,11 @@ int run_train(const TrainCommand& command, std::ostream& log) {
     for (TrainingOptions& stage : stages) {
       if (command.iterations > 0) stage.iterations = command.iterations;
     }
-    train_in_stages(stages, command.paths, command.machine);
+    TrainingMachine machine = command.machine;
+    std::signal(SIGINT, [](int) { stop_requested = 1; });
+    std::signal(SIGTERM, [](int) { stop_requested = 1; });
+    machine.should_stop = [] { return stop_requested != 0; };
+    train_in_stages(stages, command.paths, machine);
     return 0;
   } catch (const std::exception& exception) {
     log << "train: " << exception.what() << std::endl;

@@ -243,8 +243,7 @@ void Trainer::save() {
 void Trainer::restore() {
   const std::filesystem::path file = paths_.output / "state.safetensors";
   const TensorFile state = read_tensor_file(file);
-  // Read and written again, because older states do not hold newer options.
-  if (to_json(model_options_from_json(state.metadata.at("model"))) != to_json(options_.model)) {
+  if (!is_same_network(model_options_from_json(state.metadata.at("model")), options_.model)) {
     throw std::runtime_error("'" + file.string() + "' was written for other model options; use another --out");
   }
   torch::NoGradGuard no_grad;
@@ -268,10 +267,13 @@ void Trainer::run() {
   const Clock::time_point start = Clock::now();
   Clock::time_point last_save = start, last_validation = start;
   last_log_ = start;
-  const auto time_is_up = [&] {
-    return machine_.max_minutes > 0.0 && group_.any(seconds_since(start) > 60.0 * machine_.max_minutes);
+  const auto must_stop = [&] {
+    const bool has_limit = machine_.max_minutes > 0.0;
+    const bool is_late = has_limit && seconds_since(start) > 60.0 * machine_.max_minutes;
+    const bool is_asked = machine_.should_stop && machine_.should_stop();
+    return (has_limit || machine_.should_stop) && group_.any(is_late || is_asked);
   };
-  while (iteration_ < options_.iterations && !time_is_up()) {
+  while (iteration_ < options_.iterations && !must_stop()) {
     LogEntry entry;
     learn_once(entry);
     if (iteration_ % options_.log_every == 0) log(entry);

@@ -133,6 +133,20 @@ TEST(ContactSearch, GivenMotionIsMetButNotTold) {
   EXPECT_EQ(contacts.object[0].item<std::int64_t>(), 0);
 }
 
+TEST(ContactSearch, ALostBodyMeetsNothingAndHidesNothing) {
+  Cubes scene(3);
+  scene.batch.gravity.zero_();
+  scene.place(0, {0.0, 0.0, 3.0}, {0.0, 0.0, 0.0});
+  scene.place(1, {1.05, 0.0, 3.0}, {-4.8, 0.0, 0.0});
+  scene.place(2, {0.0, 1.0, 3.0}, {0.0, 0.0, 0.0});
+  scene.state.current.translation[0][2][1] = std::nan("");
+  EXPECT_EQ(contacts_of(scene).count(), 2);
+  scene.place(2, {0.0, 1.0, 3.0}, {1e9, 0.0, -1e9});
+  for (const Tensor& rows : {contacts_of(scene).point, contacts_of(scene).normal, contacts_of(scene).gap}) {
+    EXPECT_TRUE(torch::isfinite(rows).all().item<bool>());
+  }
+}
+
 TEST(ContactSearch, BodiesAreDescribed) {
   Cubes scene(2);
   scene.place(0, {0.0, 0.0, 5.0}, {0.0, 0.0, 0.0});

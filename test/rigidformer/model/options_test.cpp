@@ -128,6 +128,15 @@ TEST(ModelOptionsTest, PaperPresetLearnsOneStep) {
   expect_finite_training_step(options, torch::kFloat32, {{20, 9}});
 }
 
+TEST(ModelOptionsTest, TheSameNetworkMayBeUsedDifferently) {
+  ModelOptions other = model_preset("tiny");
+  other.max_points = 1200;
+  other.rest_speed_mps = other.rest_spin_radps = 0.0;
+  EXPECT_TRUE(is_same_network(model_preset("tiny"), other));
+  other.gated_attention = false;
+  EXPECT_FALSE(is_same_network(model_preset("tiny"), other));
+}
+
 TEST(ModelOptionsTest, JsonRoundTripIsLossless) {
   for (const std::string name : {"paper", "base", "small", "tiny"}) {
     const std::string text = to_json(model_preset(name));
@@ -281,28 +290,6 @@ TEST(ModelOptionsTest, DropoutActsInTrainingOnly) {
   EXPECT_TRUE(torch::equal(predict(model, scene).anchors_raw, predict(model, scene).anchors_raw));
   model->train();
   EXPECT_FALSE(torch::equal(predict(model, scene).anchors_raw, predict(model, scene).anchors_raw));
-}
-
-TEST(ModelOptionsTest, ControlCodeReachesThePrediction) {
-  ModelOptions options = model_preset("tiny");
-  options.control_dim = 2;
-  RigidFormer model = random_model(options);
-  RandomScene scene = random_scene(3, {{20, 9}}, 4, 2);
-  const Tensor before = predict(model, scene).anchors_raw;
-  scene.batch.control = scene.batch.control + 1.0;
-  EXPECT_GT(largest_difference(predict(model, scene).anchors_raw, before), 1e-6);
-}
-
-TEST(ModelOptionsTest, ScenesWithoutTheirCommandAreRefused) {
-  ModelOptions options = model_preset("tiny");
-  options.control_dim = 2;
-  RigidFormer model = random_model(options);
-  const RandomScene silent = random_scene(3, {{20, 9}}), long_winded = random_scene(3, {{20, 9}}, 4, 3);
-  EXPECT_NE(error_of([&] { predict(model, silent); }).find("a command of 0 numbers, the model wants 2"),
-            std::string::npos);
-  EXPECT_NE(error_of([&] { predict(model, long_winded); }).find("a command of 3 numbers"), std::string::npos);
-  RigidFormer free_model = random_model(model_preset("tiny"));
-  EXPECT_THROW(predict(free_model, long_winded), std::invalid_argument) << "nor is a command overheard";
 }
 
 }  // namespace

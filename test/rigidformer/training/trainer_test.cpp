@@ -66,6 +66,18 @@ class TrainerTest : public ::testing::Test {
   const QuietTerminal quiet_;
 };
 
+TEST_F(TrainerTest, ARunThatIsAskedToStopSavesAndGoesOn) {
+  int asked = 0;
+  TrainingMachine machine;
+  machine.device = "cpu";
+  machine.should_stop = [&asked] { return ++asked > 5; };
+  train(options_, paths("cut"), machine);
+  EXPECT_EQ(load_checkpoint(model_file("cut")).facts.iterations, 5);
+  EXPECT_EQ(run("cut", 0.0, true), kIterations);
+  EXPECT_EQ(run("whole"), kIterations);
+  EXPECT_TRUE(same_weights(model_file("cut"), model_file("whole")));
+}
+
 TEST_F(TrainerTest, StagesFollowEachOtherAndAreResumed) {
   TrainingOptions second = options_;
   options_.iterations = 4;
