@@ -52,7 +52,7 @@ TEST_F(TrainingOptionsTest, PaperFileHasTheNumbersOfTheText) {
   EXPECT_EQ(options.windows.step_sizes, (std::vector<int>{1, 5, 10}));
   EXPECT_EQ(options.loss.position_weight, 10.0);
   EXPECT_EQ(options.loss.acceleration_weight, 1.0);
-  EXPECT_EQ(options.loss.residual_unit, "dt2");
+  EXPECT_EQ(options.loss.residual_unit, "frames2");
   EXPECT_EQ(options.optimizer.learning_rate, 1e-4);
   EXPECT_EQ(options.optimizer.final_learning_rate, 1e-6);
   EXPECT_EQ(options.optimizer.weight_decay, 0.01);
