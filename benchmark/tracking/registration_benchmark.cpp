@@ -139,9 +139,9 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (const std::string method : {"Icp", "IcpWithNormals", "Gicp"}) {
-    RatioReporter::compare("by_register_cloud", "by_pcl<" + method + ">");
+    rigidformer::RatioReporter::compare("by_register_cloud", "by_pcl<" + method + ">");
   }
-  RatioReporter reporter;
+  rigidformer::RatioReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
   return 0;
