@@ -7,30 +7,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "bullet_conversion.hpp"
+
 namespace rigidformer {
 namespace {
 
 constexpr double kFloorHalfWidth = 50.0;  // [m] farther than objects can roll in a scene; chosen by eye
 constexpr double kFloorHalfHeight = 1.0;  // [m] chosen by eye
 constexpr double kImmovableMass = 1e6;    // [kg] so heavy that objects of a scene cannot push it; chosen by eye
-
-btVector3 to_bullet(const Eigen::Vector3d& v) {
-  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-}
-
-Eigen::Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-
-btTransform to_bullet(const RigidTransform& T) {
-  const Eigen::Quaterniond q = T.rotation.normalized();
-  return btTransform(btQuaternion(static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()),
-                                  static_cast<btScalar>(q.z()), static_cast<btScalar>(q.w())),
-                     to_bullet(T.translation));
-}
-
-RigidTransform from_bullet(const btTransform& T) {
-  const btQuaternion q = T.getRotation();
-  return {Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).normalized(), from_bullet(T.getOrigin())};
-}
 
 void require_positive(const char* field, double value) {
   if (!(value > 0.0)) throw std::invalid_argument(std::string(field) + " = " + std::to_string(value) + " must be > 0");

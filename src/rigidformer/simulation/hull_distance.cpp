@@ -11,24 +11,13 @@
 #include <cmath>
 #include <limits>
 
+#include "bullet_conversion.hpp"
+
 namespace rigidformer {
 namespace {
 
 constexpr double kSamePlane = 1.0 - 1e-9;  // cosine between the normals of triangles that are one face
 constexpr double kSameDepth_m = 1e-3;      // corners within this of the deepest one share the contact; chosen by eye
-
-btVector3 to_bullet(const Eigen::Vector3d& v) {
-  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-}
-
-btTransform to_bullet(const RigidTransform& T) {
-  const Eigen::Quaterniond& q = T.rotation;
-  return btTransform(btQuaternion(static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()),
-                                  static_cast<btScalar>(q.z()), static_cast<btScalar>(q.w())),
-                     to_bullet(T.translation));
-}
-
-Eigen::Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// How a hull reaches into the other one through one of the other's faces.
 struct Overlap {
