@@ -15,12 +15,6 @@
 namespace rigidformer {
 namespace {
 
-ModelOptions token_options() {
-  ModelOptions options = contact_aware(model_preset("tiny"));
-  options.contact_tokens = true;
-  return options;
-}
-
 /// The contacts of one step of free motion.
 Contacts contacts_of(const Cubes& scene) {
   const BaseMotion base = make_base_motion(token_options(), scene.batch, scene.state, scene.centre);

@@ -12,12 +12,6 @@ namespace {
 
 const auto kDouble = torch::TensorOptions(torch::kFloat64);
 
-ModelOptions token_options() {
-  ModelOptions options = contact_aware(model_preset("tiny"));
-  options.contact_tokens = true;
-  return options;
-}
-
 /// Two spinning bodies that meet somewhere in the middle of a step, and the second one the ground as well.
 class ContactTokensTest : public ::testing::Test {
  protected:

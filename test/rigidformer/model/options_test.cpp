@@ -49,11 +49,7 @@ const std::vector<std::pair<std::string, Change>>& changes() {
       {"velocity output", [](ModelOptions& o) { o.velocity_output = true; }},
       {"end velocity", [](ModelOptions& o) { o.end_velocity_output = true; }},
       {"local planes", [](ModelOptions& o) { o.local_planes = true; }},
-      {"contact tokens",
-       [](ModelOptions& o) {
-         o = contact_aware(o);
-         o.contact_tokens = true;
-       }},
+      {"contact tokens", [](ModelOptions& o) { o = token_options(); }},
       {"more points", [](ModelOptions& o) { o.max_points = 1200; }},
       {"no rest", [](ModelOptions& o) { o.rest_speed_mps = 0.0; }},
       {"restful", [](ModelOptions& o) { o.rest_spin_radps = 1.0 / 3.0; }},

@@ -116,6 +116,13 @@ inline ModelOptions contact_aware(ModelOptions options) {
   return options;
 }
 
+/// The tiny preset with contact tokens.
+inline ModelOptions token_options() {
+  ModelOptions options = contact_aware(model_preset("tiny"));
+  options.contact_tokens = true;
+  return options;
+}
+
 /// The tiny preset, in the paper's form and with all options beyond it.
 inline std::vector<ModelOptions> tiny_variants() { return {model_preset("tiny"), contact_aware(model_preset("tiny"))}; }
 
