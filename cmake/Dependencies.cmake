@@ -44,8 +44,8 @@ set(MUJOCO_FOUND OFF)
 if(MUJOCO_INCLUDE_DIR AND MUJOCO_LIBRARY)
   set(MUJOCO_FOUND ON)
 else()
-  message(STATUS "${PROJECT_NAME}: MuJoCo not found. `evaluate --baselines mujoco` is NOT built (install "
-                 "libmujoco-dev).")
+  message(STATUS "${PROJECT_NAME}: MuJoCo not found. `generate_scenes --engine mujoco` and `evaluate --baselines "
+                 "mujoco` are NOT built (install libmujoco-dev).")
 endif()
 
 # Qhull (Delaunay tetrahedra) and HACD (from Bullet's extras) cut a cloud into convex parts for one of the baselines.

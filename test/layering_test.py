@@ -36,7 +36,7 @@ LIBRARIES = {
 # Which layers of the core may use a library, in headers beside sources and in sources. No public header does.
 ALLOWED = {
     'Bullet': {'header': {'simulation'}, 'source': {'simulation', 'baselines'}},
-    'MuJoCo': {'header': set(), 'source': {'baselines'}},
+    'MuJoCo': {'header': set(), 'source': {'simulation'}},
     'Qhull': {'header': set(), 'source': {'baselines'}},
     'LibTorch': {'header': {'model', 'engine', 'predictor', 'windows', 'training'},
                  'source': {'model', 'engine', 'predictor', 'windows', 'training', 'evaluation'}},
@@ -178,8 +178,8 @@ class Planted(unittest.TestCase):
                 ('src/rigidformer/data/a.cpp', '#include <btBulletDynamicsCommon.h>'),
                 ('src/rigidformer/data/a.cpp', '#include <bullet/LinearMath/btVector3.h>'),
                 ('src/rigidformer/data/a.cpp', '#include <torch/torch.h>'),
-                ('src/rigidformer/simulation/a.cpp', '#include <mujoco/mujoco.h>'),
-                ('src/rigidformer/baselines/a.hpp', '#include <mujoco/mjmodel.h>'),
+                ('src/rigidformer/baselines/a.cpp', '#include <mujoco/mujoco.h>'),
+                ('src/rigidformer/simulation/a.hpp', '#include <mujoco/mjmodel.h>'),
                 ('src/rigidformer/baselines/a.hpp', '#include <btBulletDynamicsCommon.h>'),
                 ('src/rigidformer/simulation/a.cpp', '#include <libqhull_r/qhull_ra.h>'),
                 ('src/rigidformer/evaluation/a.cpp', '#include <HACD/hacdHACD.h>'),
@@ -213,9 +213,9 @@ class Planted(unittest.TestCase):
     def test_allowed(self):
         for path, include in [
                 ('src/rigidformer/simulation/a.cpp', '#include <btBulletDynamicsCommon.h>'),
+                ('src/rigidformer/simulation/a.cpp', '#include <mujoco/mujoco.h>'),
                 ('src/rigidformer/simulation/a.hpp', '#include <btBulletDynamicsCommon.h>'),
                 ('src/rigidformer/baselines/a.cpp', '#include <btBulletDynamicsCommon.h>'),
-                ('src/rigidformer/baselines/a.cpp', '#include <mujoco/mujoco.h>'),
                 ('src/rigidformer/predictor.cpp', '#include <torch/torch.h>'),
                 ('src/rigidformer/network_rollout.cpp', '#include "rigidformer/engine/engine_step.hpp"'),
                 ('src/rigidformer/model/a.hpp', '#include <torch/nn.h>'),

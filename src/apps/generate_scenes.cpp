@@ -10,7 +10,7 @@
 int main(int argc, char** argv) {
   rigidformer::DatasetOptions options;
   options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  CLI::App app{"Simulates MOVi scenes (objects thrown into a box, falling on a plane) with Bullet."};
+  CLI::App app{"Simulates MOVi scenes (objects thrown into a box, falling on a plane) with Bullet or MuJoCo."};
   app.add_option("--set", options.set, "movi_sphere | movi_a | movi_b")->required();
   app.add_option("--scenes", options.num_scenes, "Number of scenes")->required();
   app.add_option("--frames", options.movi.num_frames, "Frames of 1/240 s to record")->capture_default_str();
@@ -20,6 +20,10 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Same seed, same scenes")->capture_default_str();
   app.add_option("--out", options.output, "Output folder")->required();
   app.add_option("--shapes", options.shapes, "Shapes in KuBasic layout; default: built-in shapes");
+  app.add_option("--engine", options.engine, "bullet | mujoco")->capture_default_str();
+  app.add_option("--contacts", options.contacts,
+                 "movi | varied: other materials, floors, sizes, gravity and solvers in every scene")
+      ->capture_default_str();
   app.add_option("--format", options.format, "archive | kubric")->capture_default_str();
   app.add_option("--jobs", options.jobs, "Threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

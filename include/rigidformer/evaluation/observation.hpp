@@ -16,7 +16,7 @@ namespace rigidformer {
 /// The part of the truth that a forecaster gets to see.
 struct ObservationOptions {
   int num_points = 256;          ///< Surface samples per object; 0 = the vertices of the shape instead
-  bool known_properties = true;  ///< false: mass, friction and restitution are left empty
+  bool known_properties = true;  ///< false: mass, friction and restitution are left empty, and those of the ground
   double noise_m = 0.0;          ///< Standard deviation of each coordinate of the points [m]
   double masked_fraction = 0.0;  ///< Share of the points that is dropped at random, in [0, 1)
   double boxed_fraction = 0.0;   ///< Share that is dropped inside a random box of every object, in [0, 1)
@@ -26,6 +26,9 @@ struct ObservationOptions {
   /// Throws std::invalid_argument naming field and value.
   void validate() const;
 };
+
+/// What is known of the ground of a scene.
+GroundProperties observed_ground(const SceneRecording& scene, const ObservationOptions& options);
 
 /// Turns recorded scenes into what a perception pipeline would give. The reference frame of every object is its body
 /// frame, whichever part of its points is seen, so that predicted poses compare with the recorded ones.
@@ -38,6 +41,8 @@ class Observer {
   /// points, and at least four points are kept per object. Throws std::invalid_argument for an unknown shape or
   /// a frame outside the recording.
   std::vector<ObjectState> observe(const SceneRecording& scene, int frame, int step) const;
+
+  const ObservationOptions& options() const { return options_; }
 
  private:
   Points observed_points(const RecordedObject& object, int frame, std::uint64_t seed) const;

@@ -67,6 +67,7 @@ struct ModelOptions {
   bool local_planes = false;
   bool contact_tokens = false;
   bool property_mask = false;
+  bool ground_material = false;
   bool own_token_in_query = false;
   bool velocity_output = false;
   bool end_velocity_output = false;
@@ -142,6 +143,8 @@ void for_each_switch(ModelOptions& o, const Visit& visit) {
         "signed gaps between the tangent planes of a vertex and its nearest one");
   visit("contact_tokens", o.contact_tokens, anything().newer(),
         "where and when hulls meet is computed, and one token per contact reads it");
+  visit("ground_material", o.ground_material, anything().newer(),
+        "extra inputs that say what the ground is made of, as far as it is known");
   visit("max_points", o.max_points, at_least(16).newer(),
         "points per object the network looks at; larger clouds are thinned evenly");
   visit("rest_speed_mps", o.rest_speed_mps, at_least(0.0).newer(),

@@ -28,6 +28,16 @@ struct BodyProperties {
   std::optional<double> restitution;  ///< Coefficient of restitution, in [0, 1]
 };
 
+/// Material of the ground; empty = not known to the observer. Where two surfaces touch, the product of both counts.
+struct GroundProperties {
+  std::optional<double> friction;     ///< Coulomb coefficient, at least 0
+  std::optional<double> restitution;  ///< Coefficient of restitution, in [0, 1]
+};
+
+inline bool operator==(const GroundProperties& a, const GroundProperties& b) {
+  return a.friction == b.friction && a.restitution == b.restitution;
+}
+
 /// One object as the predictor sees it: a rigid cloud and its two most recent poses, one time step apart. The reference
 /// frame may be any frame fixed to the cloud; with identity poses the cloud is simply in world.
 struct ObjectState {

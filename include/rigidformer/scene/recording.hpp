@@ -25,7 +25,8 @@ struct RecordedObject {
   std::optional<double> largest_extent_m;
 };
 
-/// Whether gravity points along -z or vanishes: the only direction that the network and the floor z = 0 know.
+/// Whether gravity points along -z, within the two degrees by which a floor may be tilted, or vanishes. The network
+/// and the floor z = 0 know no other direction, and count its vertical component alone.
 bool points_down(const Eigen::Vector3d& gravity);
 
 /// A scene over time at a fixed frame rate.
@@ -34,7 +35,8 @@ struct SceneRecording {
   std::uint64_t seed = 0;
   double frame_rate_hz = 240.0;
   int num_frames = 0;
-  Eigen::Vector3d gravity{0.0, 0.0, -10.0};  ///< [m/s^2] as in the MOVi scenes
+  Eigen::Vector3d gravity{0.0, 0.0, -10.0};  ///< [m/s^2] as in the MOVi scenes; a tilted floor turns it
+  GroundProperties ground{0.3, 0.5};         ///< As in the MOVi scenes
   std::vector<RecordedObject> objects;
 };
 

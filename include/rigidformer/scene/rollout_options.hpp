@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "rigidformer/scene/object.hpp"
+
 namespace rigidformer {
 
 /// The scene-wide settings of one rollout.
@@ -12,6 +14,7 @@ struct RolloutOptions {
   double time_step_s = 10.0 / 240.0;  ///< [s] must lie in the model's trained range
   double gravity = -10.0;  ///< Vertical acceleration [m/s^2]; only models with inertial base motion can change it
   std::optional<double> ground_height_m = 0.0;  ///< Height of the ground plane z = h; empty = no ground
+  GroundProperties ground = {};                 ///< What the ground is made of
 };
 
 }  // namespace rigidformer

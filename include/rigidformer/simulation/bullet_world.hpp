@@ -23,6 +23,9 @@ struct BulletSettings {
   double contact_erp = 0.08;             ///< Share of a penetration that is removed per solver step (Bullet's erp2)
   double friction_erp = 0.2;             ///< Share of a friction error that is removed per solver step
   double least_squares_residual = 1e-7;  ///< Residual below which the solver's iterations stop
+  double contact_cfm = 0.0;        ///< Softness of contacts and friction (Bullet's global constraint force mixing)
+  double rolling_friction = 0.0;   ///< Lever arm of the friction that stops rolling, as a share of the radius
+  double spinning_friction = 0.0;  ///< The same for spinning; Bullet looks at it only where rolling has friction
 
   /// Throws std::invalid_argument naming field and value.
   void validate() const;

@@ -18,11 +18,13 @@ struct DatasetOptions {
   std::uint64_t seed = 0;          ///< Scene i depends on the seed and on i only
   std::filesystem::path output;    ///< Folder, made when missing
   std::filesystem::path shapes;    ///< Folder in KuBasic layout; empty = built-in shapes
+  std::string engine = "bullet";   ///< bullet | mujoco, which must be built in
+  std::string contacts = "movi";   ///< movi | varied: materials, floors, sizes and solvers of wide ranges
   std::string format = "archive";  ///< archive (shards of 100 scenes) | kubric (one folder per scene)
   MoviOptions movi;                ///< Which frames are recorded and how scenes are drawn
   int jobs = 1;                    ///< Number of threads
 
-  /// Throws std::invalid_argument naming field and value.
+  /// Throws std::invalid_argument naming field and value, and std::runtime_error for an engine that is not built in.
   void validate() const;
 };
 

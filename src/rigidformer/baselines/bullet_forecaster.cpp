@@ -9,7 +9,7 @@ namespace rigidformer {
 std::vector<std::vector<RigidTransform>> BulletForecaster::forecast(const std::vector<ObjectState>& objects,
                                                                     const RolloutOptions& rollout) {
   const std::vector<ObservedBody> bodies = observe_bodies(objects, rollout, decompose_);
-  const BulletSettings settings = observed_world(rollout.time_step_s, rollout.gravity);
+  const BulletSettings settings = observed_world(rollout.time_step_s, rollout.gravity, rollout.ground);
   BulletWorld world(settings);
   std::vector<std::vector<RigidTransform>> poses;
   for (std::size_t i = 0; i < bodies.size(); ++i) {

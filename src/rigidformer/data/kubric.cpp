@@ -21,6 +21,7 @@ using Json = nlohmann::json;
 using Node = JsonNode;
 
 constexpr char kFileName[] = "metadata.json";
+constexpr double kMany = 1e12;                       // of a mass or a friction: above it is no number of a real thing
 constexpr std::uintmax_t kMaxFileBytes = 64u << 20;  // [bytes] bound on memory, see docs/data_format.md; chosen by eye
 
 void require_frames(const Node& list, std::size_t num_frames) {
@@ -120,7 +121,6 @@ bool read_static(const Node& instance, const std::vector<RigidTransform>& poses)
 }
 
 RecordedObject read_object(const Node& instance, std::size_t num_frames) {
-  constexpr double kMany = 1e12;
   RecordedObject object;
   object.shape = instance.at("asset_id").text();
   read_size(instance, object);
@@ -135,6 +135,13 @@ RecordedObject read_object(const Node& instance, std::size_t num_frames) {
     object.angular_velocities = read_vectors(instance.at("angular_velocities"), num_frames);
   }
   return object;
+}
+
+/// A key of this package: Kubric's own files lack it, and have the ground of the MOVi scenes.
+GroundProperties read_ground(const Node& metadata) {
+  if (!metadata.has("ground")) return SceneRecording().ground;
+  const Node ground = metadata.at("ground");
+  return {read_optional(ground, "friction", 0.0, kMany), read_optional(ground, "restitution", 0.0, 1.0)};
 }
 
 /// All of `metadata` that is read.
@@ -152,6 +159,7 @@ SceneRecording read_metadata(const Node& metadata) {
   if (!points_down(scene.gravity)) {
     metadata.at("gravity").refuse("does not point along -z: turn the scene so that z is up");
   }
+  scene.ground = read_ground(metadata);
   return scene;
 }
 
@@ -215,6 +223,11 @@ void write_kubric_scene(const std::filesystem::path& folder, const SceneRecordin
                       {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
                       {"num_instances", scene.objects.size()},
                       {"seed", scene.seed}};
+  if (!(scene.ground == SceneRecording().ground)) {
+    Json& ground = json["metadata"]["ground"] = Json::object();
+    if (scene.ground.friction) ground["friction"] = *scene.ground.friction;
+    if (scene.ground.restitution) ground["restitution"] = *scene.ground.restitution;
+  }
   Json& instances = json["instances"] = Json::array();
   for (const RecordedObject& object : scene.objects) instances.push_back(to_json(object));
 

@@ -121,6 +121,25 @@ int frames_of_scene(const Reader& reader, const Json& entry, int num_frames) {
   return static_cast<int>(given);
 }
 
+/// Turns NaN, which stands for "not known", into an empty value.
+std::optional<double> known(const Reader& reader, const char* name, double value) {
+  if (std::isnan(value)) return std::nullopt;
+  if (!(value >= 0.0) || std::isinf(value)) reader.fail_here(std::string(name) + " = " + std::to_string(value));
+  return value;
+}
+
+/// Scenes without this entry have the ground of the MOVi scenes. Null stands for "not known".
+GroundProperties ground_of_scene(const Reader& reader, const Json& entry) {
+  if (!entry.contains("ground")) return SceneRecording().ground;
+  const auto value = [&](const char* key) -> std::optional<double> {
+    const Json& number = entry.at("ground").at(key);
+    return number.is_null() ? std::nullopt : known(reader, key, number.get<double>());
+  };
+  const GroundProperties ground{value("friction"), value("restitution")};
+  if (ground.restitution.value_or(0.0) > 1.0) reader.fail_here("restitution of the ground is above 1");
+  return ground;
+}
+
 std::vector<SceneRecording> unpack_scenes(const Reader& reader, int num_frames) {
   std::vector<SceneRecording> scenes;
   for (const Json& entry : reader.json("scenes")) {
@@ -135,6 +154,7 @@ std::vector<SceneRecording> unpack_scenes(const Reader& reader, int num_frames) 
     if (!points_down(scene.gravity)) {
       reader.fail_here("scene '" + scene.name + "' has a gravity that does not point along -z: turn it, z must be up");
     }
+    scene.ground = ground_of_scene(reader, entry);
     scenes.push_back(std::move(scene));
   }
   return scenes;
@@ -151,13 +171,6 @@ std::vector<RigidTransform> unpack_poses(const Reader& reader, const float* valu
     poses.push_back(T);
   }
   return poses;
-}
-
-/// Turns NaN, which stands for "not known", into an empty value.
-std::optional<double> known(const Reader& reader, const char* name, double value) {
-  if (std::isnan(value)) return std::nullopt;
-  if (!(value >= 0.0) || std::isinf(value)) reader.fail_here(std::string(name) + " = " + std::to_string(value));
-  return value;
 }
 
 void unpack_objects(const Reader& reader, int num_frames, SceneArchive& archive) {
@@ -193,8 +206,8 @@ SceneArchive read_scene_archive(const std::filesystem::path& path) {
   const Reader reader(path, file);
   if (file.metadata.count("format") == 0 || reader.text("format") != kFormat) fail(path, "is not a scene archive");
   const std::string version = reader.text("format_version");
-  if (version != std::to_string(kPlainVersion) && version != std::to_string(kVersion)) {
-    fail(path, "has format version " + version + ", this program reads " + std::to_string(kPlainVersion) + " and " +
+  if (version.size() != 1 || version < std::to_string(kPlainVersion) || version > std::to_string(kVersion)) {
+    fail(path, "has format version " + version + ", this program reads " + std::to_string(kPlainVersion) + " to " +
                    std::to_string(kVersion));
   }
   const RawTensor& poses = reader.find("poses");

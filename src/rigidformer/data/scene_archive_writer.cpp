@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "rigidformer/data/scene_archive.hpp"
 #include "rigidformer/io/tensor_file.hpp"
@@ -89,6 +90,16 @@ bool has_static_objects(const SceneArchive& archive) {
   });
 }
 
+bool has_movi_ground(const SceneRecording& scene) { return scene.ground == SceneRecording().ground; }
+
+/// JSON's null stands for "not known".
+Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+int version_of(const SceneArchive& archive) {
+  if (!std::all_of(archive.scenes.begin(), archive.scenes.end(), has_movi_ground)) return kVersion;
+  return has_other_lengths(archive) || has_static_objects(archive) ? kMixedVersion : kPlainVersion;
+}
+
 void pack_objects(const std::filesystem::path& path, const SceneArchive& archive, TensorFile& file) {
   const std::map<std::string, std::int32_t> indices = shape_indices(path, archive);
   const int num_frames = most_frames(archive);
@@ -128,10 +139,12 @@ void pack_metadata(const SceneArchive& archive, TensorFile& file) {
                       {"frame_rate_hz", scene.frame_rate_hz},
                       {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}}});
     if (has_other_lengths(archive)) scenes.back()["num_frames"] = scene.num_frames;
+    if (has_movi_ground(scene)) continue;
+    scenes.back()["ground"] = {{"friction", to_json(scene.ground.friction)},
+                               {"restitution", to_json(scene.ground.restitution)}};
   }
-  const bool plain = !has_other_lengths(archive) && !has_static_objects(archive);
   file.metadata["format"] = kFormat;
-  file.metadata["format_version"] = std::to_string(plain ? kPlainVersion : kVersion);
+  file.metadata["format_version"] = std::to_string(version_of(archive));
   file.metadata["set"] = archive.set;
   file.metadata["shapes"] = shapes.dump();
   file.metadata["scenes"] = scenes.dump();

@@ -3,6 +3,7 @@
 #include "engine_scene.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "rigidformer/simulation/observed_motion.hpp"
 
@@ -13,6 +14,16 @@ constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches
 constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point, above which a body is not about to tip
 
 double value(const Tensor& tensor) { return tensor.item<double>(); }
+
+/// Material of the ground of scene `b` as far as it is known.
+GroundProperties known_ground(const SceneBatch& batch, std::int64_t b) {
+  if (!batch.ground_material.defined()) return {};
+  const auto property = [&](std::int64_t i) {
+    return value(batch.ground_known[b][i]) > 0.0 ? std::optional<double>(value(batch.ground_material[b][i]))
+                                                 : std::nullopt;
+  };
+  return {property(0), property(1)};
+}
 
 bool is_finite(const BodyState& state) {
   return is_valid(state.T_world_object) && state.velocity.allFinite() && state.angular_velocity.allFinite();
@@ -25,7 +36,7 @@ EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference
       time_step_s_(value(batch.step_size[b]) / kFrameRateHz),
       gravity_(value(batch.gravity[b])),
       ground_height_m_(value(batch.ground_height[b])),
-      world_(observed_world(time_step_s_, gravity_)) {
+      world_(observed_world(time_step_s_, gravity_, known_ground(batch, b))) {
   const std::vector<ObservedSolid> solids = observe_solids(batch, centre_reference, b);
   double total_mass_kg = 0.0;
   for (const ObservedSolid& solid : solids) total_mass_kg += *solid.properties.mass_kg;
@@ -78,7 +89,7 @@ RigidTransform EngineScene::departure(const Body& body, const BodyState& arrived
 
 /// Bullet moves by the velocity after a kick of gravity: starting half a kick back makes free flight exact.
 double EngineScene::fall_before_step() const {
-  const int kicks = observed_world(time_step_s_, gravity_).substeps;
+  const int kicks = observed_world(time_step_s_, gravity_, {}).substeps;
   return half_fall(time_step_s_, gravity_) * (1.0 - 1.0 / kicks);
 }
 

@@ -95,6 +95,10 @@ void ObservationOptions::validate() const {
   check_share("boxed_fraction", boxed_fraction);
 }
 
+GroundProperties observed_ground(const SceneRecording& scene, const ObservationOptions& options) {
+  return options.known_properties ? scene.ground : GroundProperties();
+}
+
 Observer::Observer(const std::vector<Shape>& shapes, const ObservationOptions& options) : options_(options) {
   options_.validate();
   for (const Shape& shape : shapes) {

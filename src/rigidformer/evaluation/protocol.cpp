@@ -97,6 +97,7 @@ class Round {
     rollout.num_steps = std::max(num_steps_, curve_steps);
     rollout.time_step_s = step_ / scene.frame_rate_hz;
     rollout.gravity = scene.gravity.z();
+    rollout.ground = observed_ground(scene, options_.observation);
     SceneResult result{forecaster.name(), set, start_, step_, &scene, {}, {}, {}, {}};
     const auto begin = std::chrono::steady_clock::now();
     result.predicted = forecaster.forecast(objects, rollout);

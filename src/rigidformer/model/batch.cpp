@@ -31,6 +31,11 @@ Tensor SceneBatch::time_step() const { return step_size / kFrameRateHz; }
 
 Tensor SceneBatch::anchors_reference() const { return gather_points(points_reference, anchor_index); }
 
+Tensor SceneBatch::ground_code() const {
+  if (!ground_material.defined()) return torch::zeros({num_scenes(), kGroundCode}, step_size.options());
+  return torch::cat({ground_material * ground_known, ground_known}, -1);
+}
+
 Tensor gather_points(const Tensor& values, const Tensor& index) {
   const auto wide = index.unsqueeze(-1).expand({index.size(0), index.size(1), index.size(2), values.size(3)});
   return values.gather(2, wide);

@@ -21,6 +21,9 @@ constexpr double kFrameRateHz = 240.0;
 /// Ground height that stands for "no ground" [m]: far below any scene, chosen by eye.
 constexpr double kNoGround = -1000.0;
 
+/// Numbers that tell what the ground is made of: friction, restitution, and which of them is known.
+constexpr std::int64_t kGroundCode = 4;
+
 /// A batch of rigid poses T_world_reference.
 struct Pose {
   Tensor rotation;     ///< [B, K, 3, 3]
@@ -48,6 +51,8 @@ struct SceneBatch {
   Tensor ground_height;     ///< [B] m, kNoGround = none
   Tensor gravity;           ///< [B] vertical acceleration [m/s^2]
   Tensor control;           ///< [B, control_dim] or undefined
+  Tensor ground_material;   ///< [B, 2] friction, restitution of the ground; 0 where unknown; undefined = unknown
+  Tensor ground_known;      ///< [B, 2] 1 where known, else 0
 
   /// [B, K, N, 3] outward unit normals, estimated from the points; undefined where no model needs them.
   Tensor normals_reference;
@@ -58,6 +63,7 @@ struct SceneBatch {
 
   Tensor time_step() const;          ///< [B] s
   Tensor anchors_reference() const;  ///< [B, K, A, 3]
+  Tensor ground_code() const;        ///< [B, kGroundCode] material of the ground as the network reads it
 
   /// With every tensor on that device; what is undefined stays so.
   SceneBatch to(const torch::Device& device) const;
@@ -69,7 +75,8 @@ constexpr std::array kBatchTensors{
     &SceneBatch::object_mask,      &SceneBatch::surface_points,    &SceneBatch::surface_mask,
     &SceneBatch::hidden_points,    &SceneBatch::anchor_index,      &SceneBatch::properties,
     &SceneBatch::properties_known, &SceneBatch::dynamic_mask,      &SceneBatch::step_size,
-    &SceneBatch::ground_height,    &SceneBatch::gravity,           &SceneBatch::control};
+    &SceneBatch::ground_height,    &SceneBatch::gravity,           &SceneBatch::control,
+    &SceneBatch::ground_material,  &SceneBatch::ground_known};
 static_assert(sizeof(SceneBatch) == kBatchTensors.size() * sizeof(Tensor), "a tensor of the batch is not in the list");
 
 /// What changes from step to step.

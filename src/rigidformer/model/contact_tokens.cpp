@@ -7,6 +7,7 @@
 namespace rigidformer {
 namespace {
 
+constexpr std::int64_t kTokenFeatures = 24;  // without the ground
 constexpr std::int64_t kTokenWidth = 64;     // E; chosen by eye
 constexpr std::int64_t kShareHidden = 128;   // chosen by eye
 constexpr std::int64_t kShares = 8;          // {over the step, beyond} x {normal, tangent} x {linear, angular}
@@ -94,8 +95,12 @@ Tensor sum_per_object(const Tensor& rows, const Tensor& row, std::int64_t num_ob
 
 }  // namespace
 
-ContactDescription describe_contacts(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                     const Contacts& contacts) {
+std::int64_t num_token_features(const ModelOptions& options) {
+  return kTokenFeatures + (options.ground_material ? kGroundCode : 0);
+}
+
+ContactDescription describe_contacts(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,
+                                     const BaseMotion& base, const Contacts& contacts) {
   const std::int64_t K = batch.max_objects();
   ContactDescription described;
   described.row = contacts.scene * K + contacts.object;
@@ -141,11 +146,15 @@ ContactDescription describe_contacts(const SceneBatch& batch, const SceneState& 
                   own.yield(n).reciprocal(), own.yield(t).reciprocal(), n.slice(-1, 2), ground, dt * 24.0,
                   material(described.row), material(described.partner_row) * (1.0 - ground)},
                  -1);
+  if (options.ground_material) {
+    const Tensor ground_code = batch.ground_code().index_select(0, contacts.scene) * ground;
+    described.features = torch::cat({described.features, ground_code}, -1);
+  }
   return described;
 }
 
 ContactTokensImpl::ContactTokensImpl(const ModelOptions& options) {
-  embedding = register_module("embedding", Mlp(kContactTokenFeatures, kTokenWidth, kTokenWidth));
+  embedding = register_module("embedding", Mlp(num_token_features(options), kTokenWidth, kTokenWidth));
   object_part = register_module("object_part", Linear(kTokenWidth, options.embedding_dim, false));
   object_part->zero();
   share =

@@ -21,15 +21,16 @@ struct UnitAnswers {
 struct ContactDescription {
   Tensor row, partner_row;  ///< [C] index into the B * K objects; the ground has the own one
   Tensor on_ground;         ///< [C, 1] bool
-  Tensor features;          ///< [C, kContactTokenFeatures] numbers that no rotation about the vertical changes
+  Tensor features;          ///< [C, num_token_features] numbers that no rotation about the vertical changes
   UnitAnswers answers;
   Tensor arms;  ///< [C, A, 3] m, the own anchors seen from the own centre of mass, world axes
 };
 
-constexpr std::int64_t kContactTokenFeatures = 24;
+/// Number of features per contact. What the ground is made of comes last, where the model reads it.
+std::int64_t num_token_features(const ModelOptions& options);
 
-ContactDescription describe_contacts(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                     const Contacts& contacts);
+ContactDescription describe_contacts(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,
+                                     const BaseMotion& base, const Contacts& contacts);
 
 /// One token per contact and side. Where and when surfaces meet is computed; what follows from it is learned: a share
 /// of each unit answer, for the displacement over the step and for the velocity after it. The share of an answer's

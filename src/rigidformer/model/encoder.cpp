@@ -73,7 +73,7 @@ std::vector<Tensor> pool_levels(const Tensor& f, const Tensor& point_mask) {
 }  // namespace
 
 PointEncoderImpl::PointEncoderImpl(const ModelOptions& options) {
-  std::int64_t width = num_vertex_features(options) + num_engine_features(options);
+  std::int64_t width = num_vertex_features(options) + num_engine_features(options) + num_ground_features(options);
   for (const std::int64_t next : options.encoder_widths) {
     backbone->push_back(Linear(width, next));
     width = next;

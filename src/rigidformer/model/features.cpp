@@ -117,6 +117,13 @@ std::int64_t num_vertex_features(const ModelOptions& options) {
 
 std::int64_t num_engine_features(const ModelOptions& options) { return options.engine_motion ? 6 : 0; }
 
+std::int64_t num_ground_features(const ModelOptions& options) { return options.ground_material ? kGroundCode : 0; }
+
+Tensor ground_features(const ModelOptions& options, const SceneBatch& batch, std::int64_t count) {
+  const Tensor code = batch.ground_code().slice(-1, 0, num_ground_features(options));
+  return code.reshape({batch.num_scenes(), 1, 1, -1}).expand({-1, batch.max_objects(), count, -1});
+}
+
 Tensor engine_features(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
                        const EngineMotion& engine, const Tensor& points_reference) {
   const Tensor unit = batch.time_step().reshape({-1, 1, 1, 1}) * kSpeedUnit;

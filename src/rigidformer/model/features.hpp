@@ -14,6 +14,13 @@ std::int64_t num_vertex_features(const ModelOptions& options);
 /// Number of features per point about the engine's step; 0 without it.
 std::int64_t num_engine_features(const ModelOptions& options);
 
+/// Number of features about the ground, which the points of all objects share; 0 without them. They come last wherever
+/// they are read, so that the weights of a model without them fit.
+std::int64_t num_ground_features(const ModelOptions& options);
+
+/// Material of the ground for every point [B, K, count, num_ground_features].
+Tensor ground_features(const ModelOptions& options, const SceneBatch& batch, std::int64_t count);
+
 /// How the engine's step differs from the base motion at points [B, K, *, 3] of the reference frame, by the change of
 /// velocity over the step and of the one at its end: [B, K, *, 6].
 Tensor engine_features(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,

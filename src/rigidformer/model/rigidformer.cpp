@@ -117,6 +117,8 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
     engine_at_anchors = gather_points(e, batch.anchor_index).to(compute_type);
   }
 
+  if (options.ground_material) h = torch::cat({h, ground_features(options, batch, h.size(2))}, -1);
+
   // Interaction of objects (§3.1)
   const Encoding encoding = encoder(h.to(compute_type), batch.point_mask);
   TokenSet objects{encoding.tokens, batch.object_mask, positions.object_angles};
@@ -126,7 +128,7 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   ContactDescription described;
   Tensor contact_embedding;
   if (options.contact_tokens) {
-    described = describe_contacts(batch, state, base, contacts);
+    described = describe_contacts(options, batch, state, base, contacts);
     contact_embedding = contact_tokens->embed(described);
     objects.tokens = objects.tokens + contact_tokens->to_objects(contact_embedding, described, objects.tokens);
   }
@@ -139,6 +141,9 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   if (options.contact_tokens) {
     const Tensor at_anchors = ContactTokensImpl::to_anchors(described, x.size(0), x.size(1));
     anchor_state = torch::cat({anchor_state, at_anchors.to(compute_type)}, -1);
+  }
+  if (options.ground_material) {
+    anchor_state = torch::cat({anchor_state, ground_features(options, batch, q.size(2)).to(compute_type)}, -1);
   }
   const Tensor outputs =
       predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint64_t kAnchorSeed = 1;          // of random anchors; any number does
 constexpr std::int64_t kPointBucket = 64;         // points; padded sizes are multiples of it; by eye
+constexpr double kMostFriction = 1000.0;          // as scene/objection.cpp accepts of objects
 constexpr std::int64_t kMaxSurfacePoints = 4096;  // points of an object that the engine gets; chosen by eye
 
 void check_range(const char* field, double value, bool good, const char* bound) {
@@ -50,6 +51,14 @@ void store_properties(const ObjectState& object, bool reads_mask, SceneBatch& ba
     batch.properties[0][k][i] = values[i].value_or(stand_in);
     batch.properties_known[0][k][i] = values[i].has_value() ? 1.0 : 0.0;
   }
+}
+
+/// Networks without these inputs do not look.
+void store_ground(const GroundProperties& ground, SceneBatch& batch) {
+  batch.ground_material =
+      torch::tensor({ground.friction.value_or(0.0), ground.restitution.value_or(0.0)}, torch::kFloat32).unsqueeze(0);
+  batch.ground_known =
+      torch::tensor({ground.friction ? 1.0 : 0.0, ground.restitution ? 1.0 : 0.0}, torch::kFloat32).unsqueeze(0);
 }
 
 /// Takes every n-th point, so that at most `max_points` are left.
@@ -110,6 +119,9 @@ void validate_options(const RolloutOptions& rollout) {
   check_range("gravity", rollout.gravity, std::isfinite(rollout.gravity), "finite");
   const double ground = rollout.ground_height_m.value_or(0.0);
   check_range("ground_height_m", ground, std::isfinite(ground), "finite");
+  const double friction = rollout.ground.friction.value_or(0.0), restitution = rollout.ground.restitution.value_or(0.0);
+  check_range("ground.friction", friction, friction >= 0.0 && friction <= kMostFriction, "in [0, 1000]");
+  check_range("ground.restitution", restitution, restitution >= 0.0 && restitution <= 1.0, "in [0, 1]");
 }
 
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
@@ -135,6 +147,7 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   batch.step_size = torch::full({1}, rollout.time_step_s * kFrameRateHz);
   batch.ground_height = torch::full({1}, rollout.ground_height_m ? 0.0 : kNoGround);
   batch.gravity = torch::full({1}, rollout.gravity);
+  store_ground(rollout.ground, batch);
   for (std::int64_t k = 0; k < K; ++k) {
     const ObjectState& object = objects[static_cast<size_t>(k)];
     Points& cloud = input.clouds[static_cast<size_t>(k)];

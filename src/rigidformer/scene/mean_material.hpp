@@ -9,5 +9,7 @@ constexpr double kMeanMass = 1.2;     ///< [kg] where only the number of objects
 constexpr double kMeanDensity = 1.0;  ///< [kg/m^3] where a volume is known; MOVi's bodies are as light as that
 constexpr double kMeanFriction = 0.6;
 constexpr double kMeanRestitution = 0.5;
+constexpr double kGroundFriction = 0.3;  ///< Of the floor of the MOVi scenes, which stands in for an unknown ground
+constexpr double kGroundRestitution = 0.5;
 
 }  // namespace rigidformer

@@ -5,8 +5,8 @@
 namespace rigidformer {
 
 bool points_down(const Eigen::Vector3d& gravity) {
-  constexpr double kLevel = 1e-4;  // of its size: what rounding leaves in a file
-  return gravity.allFinite() && gravity.z() <= 0.0 && gravity.head<2>().norm() <= kLevel * -gravity.z();
+  constexpr double kSteepest = 0.035;  // tangent of two degrees: builders' floors are flatter; chosen by eye
+  return gravity.allFinite() && gravity.z() <= 0.0 && gravity.head<2>().norm() <= kSteepest * -gravity.z();
 }
 
 }  // namespace rigidformer

@@ -51,6 +51,8 @@ void apply_settings(const BulletSettings& settings, btContactSolverInfo& solver)
   solver.m_restitutionVelocityThreshold = 0;
   solver.m_numIterations = settings.solver_iterations;
   solver.m_erp2 = static_cast<btScalar>(settings.contact_erp);
+  solver.m_globalCfm = static_cast<btScalar>(settings.contact_cfm);
+  solver.m_frictionCFM = static_cast<btScalar>(settings.contact_cfm);
   solver.m_frictionERP = static_cast<btScalar>(settings.friction_erp);
   solver.m_leastSquaresResidualThreshold = static_cast<btScalar>(settings.least_squares_residual);
 }
@@ -132,6 +134,9 @@ int BulletWorld::add_body(const Shape& shape, double size, const BodyProperties&
   info.m_friction = static_cast<btScalar>(require_known("friction", properties.friction));
   info.m_restitution = static_cast<btScalar>(require_known("restitution", properties.restitution));
   info.m_linearDamping = info.m_angularDamping = 0;
+  const double radius_m = size * static_cast<double>(shape.vertices().rowwise().norm().maxCoeff());
+  info.m_rollingFriction = static_cast<btScalar>(impl_->settings.rolling_friction * radius_m);
+  info.m_spinningFriction = static_cast<btScalar>(impl_->settings.spinning_friction * radius_m);
   body.body = std::make_unique<btRigidBody>(info);
   body.shape = std::move(compound);
   body.body->setActivationState(DISABLE_DEACTIVATION);

@@ -19,6 +19,7 @@
 #include "rigidformer/io/sha256.hpp"
 #include "rigidformer/io/text_file.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
+#include "rigidformer/simulation/varied_scene.hpp"
 
 namespace rigidformer {
 namespace {
@@ -28,6 +29,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kScenesPerShard = 100;  // scenes of one archive, which a stopped run can lose; chosen by eye
 constexpr char kGenerationFile[] = "generation.json";
+constexpr char kBullet[] = "bullet", kMujoco[] = "mujoco", kMovi[] = "movi", kVaried[] = "varied";
 
 /// SHA-256 over the names, masses and vertices of the shapes.
 std::string fingerprint(const std::vector<Shape>& shapes) {
@@ -46,12 +48,14 @@ std::string fingerprint(const std::vector<Shape>& shapes) {
 
 /// Notes in the folder what it holds, or checks that the note there says the same.
 void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shapes) {
-  const Json wanted = {{"set", options.set},
-                       {"seed", options.seed},
-                       {"first_frame", options.movi.first_frame},
-                       {"num_frames", options.movi.num_frames},
-                       {"format", options.format},
-                       {"shapes_sha256", fingerprint(shapes)}};
+  Json wanted = {{"set", options.set},
+                 {"seed", options.seed},
+                 {"first_frame", options.movi.first_frame},
+                 {"num_frames", options.movi.num_frames},
+                 {"format", options.format},
+                 {"shapes_sha256", fingerprint(shapes)}};
+  if (options.engine != kBullet) wanted["engine"] = options.engine;
+  if (options.contacts != kMovi) wanted["contacts"] = options.contacts;
   fs::create_directories(options.output);
   const fs::path path = options.output / kGenerationFile;
   if (!fs::exists(path)) {
@@ -94,6 +98,11 @@ std::vector<Shape> load_library(MoviSet set, const fs::path& folder, std::vector
     shapes.push_back(load_kubasic_shape(folder / name, &warnings));
   }
   return shapes;
+}
+
+void require_one_of(const char* field, const std::string& value, const std::string& a, const std::string& b) {
+  if (value == a || value == b) return;
+  throw std::invalid_argument(std::string(field) + " '" + value + "' is not one of " + a + ", " + b);
 }
 
 class DatasetGenerator {
@@ -140,7 +149,20 @@ class DatasetGenerator {
 
  private:
   SceneRecording generate(int index) const {
-    return generate_movi_scene(set_, shapes_, options_.seed, static_cast<std::uint64_t>(index), options_.movi);
+    const MoviOptions& movi = options_.movi;
+    const auto i = static_cast<std::uint64_t>(index);
+    VariedScene scene{{}, movi_bullet_settings(set_), {}};
+    if (options_.contacts == kVaried) {
+      scene = sample_varied_scene(set_, shapes_, options_.seed, i, movi);
+    } else {
+      scene.start = sample_movi_scene(set_, shapes_, options_.seed, i, movi);
+    }
+#ifdef RIGIDFORMER_HAS_MUJOCO
+    if (options_.engine == kMujoco) {
+      return simulate(scene.start, shapes_, scene.mujoco, movi.num_frames, movi.first_frame);
+    }
+#endif
+    return simulate(scene.start, shapes_, scene.bullet, movi.num_frames, movi.first_frame);
   }
 
   const DatasetOptions& options_;
@@ -160,9 +182,12 @@ void DatasetOptions::validate() const {
   }
   if (jobs < 1) throw std::invalid_argument("jobs = " + std::to_string(jobs) + " must be >= 1");
   if (output.empty()) throw std::invalid_argument("out must name a folder");
-  if (format != "archive" && format != "kubric") {
-    throw std::invalid_argument("format '" + format + "' is not one of archive, kubric");
-  }
+  require_one_of("format", format, "archive", "kubric");
+  require_one_of("contacts", contacts, kMovi, kVaried);
+  require_one_of("engine", engine, kBullet, kMujoco);
+#ifndef RIGIDFORMER_HAS_MUJOCO
+  if (engine == kMujoco) throw std::runtime_error("mujoco is not built in: install libmujoco-dev and build again");
+#endif
 }
 
 void generate_dataset(const DatasetOptions& options, std::ostream& log) {

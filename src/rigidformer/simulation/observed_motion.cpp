@@ -15,11 +15,13 @@ constexpr double kTouching_m = 0.01;      // what a cloud of some hundred points
 
 }  // namespace
 
-BulletSettings observed_world(double time_step_s, double gravity) {
+BulletSettings observed_world(double time_step_s, double gravity, const GroundProperties& ground) {
   BulletSettings settings;
   settings.frame_rate_hz = 1.0 / time_step_s;
   settings.substeps = std::max(1, static_cast<int>(std::lround(kSolverRate_hz * time_step_s)));
   settings.gravity = {0.0, 0.0, gravity};
+  settings.floor_friction = ground.friction.value_or(kGroundFriction);
+  settings.floor_restitution = ground.restitution.value_or(kGroundRestitution);
   return settings;
 }
 

@@ -9,8 +9,9 @@
 /// the engines that it is compared with share this, so that they differ in what they know of the shape alone.
 namespace rigidformer {
 
-/// Steps of a rollout as frames of a Bullet world: as many solver steps as 240 Hz frames fit, at least one.
-BulletSettings observed_world(double time_step_s, double gravity);
+/// Steps of a rollout as frames of a Bullet world: as many solver steps as 240 Hz frames fit, at least one. The floor
+/// of the MOVi scenes stands for what is unknown of the ground.
+BulletSettings observed_world(double time_step_s, double gravity, const GroundProperties& ground);
 
 /// The later of two poses, with the mean velocity and spin between them.
 BodyState mean_motion(const RigidTransform& T_ground_before, const RigidTransform& T_ground_now, double time_step_s);

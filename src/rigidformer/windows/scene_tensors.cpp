@@ -70,6 +70,14 @@ void store_properties(SceneTensors& tensors, std::int64_t s, std::int64_t k, con
   }
 }
 
+void store_ground(SceneTensors& tensors, std::int64_t s, const GroundProperties& ground) {
+  const std::optional<double> values[] = {ground.friction, ground.restitution};
+  for (std::int64_t i = 0; i < 2; ++i) {
+    tensors.ground_material[s][i] = values[i].value_or(0.0);
+    tensors.ground_known[s][i] = values[i].has_value() ? 1.0 : 0.0;
+  }
+}
+
 void store_object(SceneTensors& tensors, std::int64_t s, std::int64_t k, const RecordedObject& object,
                   std::int64_t shape) {
   tensors.object_mask[s][k] = true;
@@ -121,6 +129,8 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   tensors.frame_count = torch::zeros({S}, torch::kInt64);
   tensors.dynamic_mask = torch::zeros({S, K}, torch::kBool);
   tensors.properties_known = torch::zeros({S, K, 3});
+  tensors.ground_material = torch::zeros({S, 2});
+  tensors.ground_known = torch::zeros({S, 2});
   return tensors;
 }
 
@@ -149,7 +159,20 @@ SceneTensors SceneTensors::to(const torch::Device& device) const {
           shape_point_count.to(device),
           frame_count.to(device),
           dynamic_mask.to(device),
-          properties_known.to(device)};
+          properties_known.to(device),
+          ground_material.to(device),
+          ground_known.to(device)};
+}
+
+Tensor rotation_matrix(const Tensor& quaternion) {
+  const Tensor q = quaternion / quaternion.norm(2, -1, true).clamp_min(1e-12);
+  const auto part = q.unbind(-1);
+  const Tensor &x = part[0], &y = part[1], &z = part[2], &w = part[3];
+  return torch::stack({1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 2 * (x * y + z * w),
+                       1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 2 * (x * z - y * w), 2 * (y * z + x * w),
+                       1 - 2 * (x * x + y * y)},
+                      -1)
+      .unflatten(-1, {3, 3});
 }
 
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
@@ -165,6 +188,7 @@ SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const
     for (const SceneRecording& scene : archive.scenes) {
       tensors.gravity[s] = scene.gravity.z();
       tensors.frame_count[s] = scene.num_frames;
+      store_ground(tensors, s, scene.ground);
       for (size_t k = 0; k < scene.objects.size(); ++k) {
         store_object(tensors, s, static_cast<std::int64_t>(k), scene.objects[k], index_of.at(scene.objects[k].shape));
       }

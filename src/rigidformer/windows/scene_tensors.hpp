@@ -30,6 +30,8 @@ struct SceneTensors {
   Tensor frame_count;        ///< [S] int64, at most F: frames after it do not exist
   Tensor dynamic_mask;       ///< [S, K] bool, objects that move
   Tensor properties_known;   ///< [S, K, 3] 1 where the recording says them; others hold the means of the MOVi sets
+  Tensor ground_material;    ///< [S, 2] friction, restitution of the ground; 0 where unknown
+  Tensor ground_known;       ///< [S, 2] 1 where the recording says them
 
   std::int64_t num_scenes() const { return poses.size(0); }
   std::int64_t num_frames() const { return poses.size(1); }
@@ -43,6 +45,9 @@ struct SceneTensors {
 
   SceneTensors to(const torch::Device& device) const;
 };
+
+/// Rotation matrices [..., 3, 3] from unit quaternions x y z w [..., 4].
+Tensor rotation_matrix(const Tensor& quaternion);
 
 /// Throws std::invalid_argument when there is no scene, or when one has another frame rate than kFrameRateHz.
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options);

@@ -17,18 +17,6 @@ constexpr double kCameraDistance = 10.0;                     // [m]
 constexpr double kMinElevation = 0.15, kMaxElevation = 1.2;  // [rad]
 constexpr std::int64_t kMinVisiblePoints = 8;  // fewer points tell too little: then all stay; chosen by eye
 
-/// Rotation matrices [..., 3, 3] from unit quaternions x y z w [..., 4].
-Tensor rotation_matrix(const Tensor& quaternion) {
-  const Tensor q = quaternion / quaternion.norm(2, -1, true).clamp_min(1e-12);
-  const auto part = q.unbind(-1);
-  const Tensor &x = part[0], &y = part[1], &z = part[2], &w = part[3];
-  return torch::stack({1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 2 * (x * y + z * w),
-                       1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 2 * (x * z - y * w), 2 * (y * z + x * w),
-                       1 - 2 * (x * x + y * y)},
-                      -1)
-      .unflatten(-1, {3, 3});
-}
-
 Tensor to_index(const std::vector<std::int64_t>& values, const torch::Device& device) {
   return torch::tensor(values, torch::kInt64).to(device, /*non_blocking=*/true);
 }
@@ -252,6 +240,16 @@ void centre(const AugmentationOptions& options, const TensorRandom& random, Wind
   }
 }
 
+/// What the ground is made of is hidden as often as what the objects are made of, but not at the same time: a robot may
+/// know its floor and not what lies there, or the other way round.
+void hide_ground(const SceneTensors& tensors, const WindowRows& rows, const AugmentationOptions& options,
+                 const TensorRandom& random, SceneBatch& scene) {
+  const std::int64_t B = rows.scene.size(0);
+  const Tensor known = random.uniform({B, 1}, tensors.poses.options()) >= options.unknown_probability;
+  scene.ground_known = tensors.ground_known.index({rows.scene}) * known;
+  scene.ground_material = tensors.ground_material.index({rows.scene}) * known;
+}
+
 }  // namespace
 
 AugmentationOptions no_augmentation(int num_points) {
@@ -289,6 +287,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   centre(options, random, batch);
   const Tensor start_score = random_anchors ? random.uniform(scene.point_mask.sizes(), like) : Tensor();
   scene.anchor_index = farthest_anchors(scene.points_reference, scene.point_mask, num_anchors, start_score);
+  hide_ground(tensors, rows, options, random, scene);
   return batch;
 }
 

@@ -95,6 +95,7 @@ RolloutSettings SceneForecaster::default_settings() const {
   settings.options.time_step_s = predict_.time_step;
   settings.options.gravity = predict_.gravity;
   settings.options.ground_height_m = predict_.ground_height;
+  settings.options.ground = {predict_.ground_friction, predict_.ground_restitution};
   settings.settle = settle_criterion(service_);
   return settings;
 }

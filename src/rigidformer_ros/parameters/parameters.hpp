@@ -131,6 +131,8 @@ struct PredictParameters {
   double time_step = 10.0 / 240.0;
   double gravity = -10.0;
   std::optional<double> ground_height = 0.0;  ///< None = no ground
+  std::optional<double> ground_friction;      ///< None = unknown
+  std::optional<double> ground_restitution;   ///< None = unknown
   std::optional<double> length_scale = 1.0;   ///< None = from the median object size
 };
 
@@ -141,6 +143,9 @@ void for_each_member(PredictParameters& o, const Visit& visit) {
   visit("time_step", o.time_step, between(1e-4, 10.0), "[s] or the nearest trained one, at `length_scale`");
   visit("gravity", o.gravity, between(-100.0, 0.0), "[m/s²] along z of the fixed frame");
   visit("ground_height", o.ground_height, between(-1e4, 1e4).or_word("none"), "[m] in the fixed frame");
+  visit("ground_friction", o.ground_friction, between(0.0, 1000.0).or_word("unknown"),
+        "friction, which counts times that of the object");
+  visit("ground_restitution", o.ground_restitution, between(0.0, 1.0).or_word("unknown"), "restitution; likewise");
   visit("length_scale", o.length_scale, between(1e-4, 1e4).or_word("auto"),
         "real length / trained length; auto = from the objects");
 }

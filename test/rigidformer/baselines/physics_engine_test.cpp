@@ -111,6 +111,20 @@ TEST_P(PhysicsEngine, ReboundsToTheSquareOfTheRestitution) {
   }
 }
 
+TEST_P(PhysicsEngine, SlidesOnTheGroundThatIsToldElseOnMovis) {
+  RolloutOptions rollout = rollout_of(10, 12);
+  const Flight push{{0.0, 0.0, 0.3005}, {2.0, 0.0, 0.0}, Eigen::Vector3d::Zero(), 0.0};
+  const auto slid_m = [&](const GroundProperties& ground) {
+    rollout.ground = ground;
+    const ObjectState cube = flying_object(box_cloud({0.6, 0.6, 0.6}), push, rollout, {{1.0}, {0.5}, {0.0}});
+    return forecast({cube}, rollout)[0].back().translation.x();
+  };
+  const double t = 12 * rollout.time_step_s;
+  EXPECT_NEAR(slid_m({1.0, 0.5}), 2.0 * 2.0 / (2.0 * 0.5 * 10.0), 0.06);  // it stops
+  EXPECT_NEAR(slid_m({0.2, 0.5}), 2.0 * t - 0.5 * 0.1 * 10.0 * t * t, 0.06);
+  EXPECT_EQ(slid_m({}), slid_m({0.3, 0.5}));
+}
+
 TEST_P(PhysicsEngine, AMidAirCollisionConservesMomentum) {
   const RolloutOptions rollout = rollout_of(1, 120);
   const BodyProperties light{{1.0}, {0.4}, {0.6}};

@@ -102,6 +102,16 @@ TEST(Kubric, P42_AnyFrameRateIsCarried) {
   EXPECT_EQ(scene_with("/metadata/gravity", "[0, 0, 0]").gravity.norm(), 0.0);
 }
 
+TEST(Kubric, TheGroundIsThatOfMoviUnlessTheFileSaysOtherwise) {
+  EXPECT_EQ(scene_with("/metadata/seed", "1").ground, (GroundProperties{0.3, 0.5}));
+  EXPECT_EQ(scene_with("/metadata/ground", "{}").ground, GroundProperties());
+  const SceneRecording steel = scene_with("/metadata/ground", R"({"friction": 0.15, "restitution": 0.9})");
+  EXPECT_EQ(steel.ground, (GroundProperties{0.15, 0.9}));
+  const TemporaryFolder folder;
+  write_kubric_scene(folder.path(), steel);
+  EXPECT_EQ(read_kubric_scene(folder.path()).ground, steel.ground);
+}
+
 struct Defect {
   const char* pointer;      ///< JSON pointer to what is replaced
   const char* replacement;  ///< JSON text that replaces it; empty = it is removed
@@ -138,6 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Defect{"/metadata/gravity", "[0, -10]", "metadata.gravity"},
                       Defect{"/metadata/gravity", "[0, -9.81, 0]", "does not point along -z"},
                       Defect{"/metadata/gravity", "[0, 0, 9.81]", "does not point along -z"},
+                      Defect{"/metadata/ground", R"({"restitution": 2})", "accepted is 0 to 1"},
                       Defect{"/instances/0/scale", "[1, 1, 2]", "instances[0].scale = [1,1,2] of 'cube' differs"},
                       Defect{"/instances/0/scale", "\"big\"", "instances[0].scale = \"big\" is not a number"},
                       Defect{"/instances/0/scale", "-1", "instances[0].scale = -1 of 'cube' must be > 0"},

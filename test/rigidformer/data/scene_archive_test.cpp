@@ -79,6 +79,34 @@ TEST(SceneArchive, P41_ObjectsThatNeverMoveStayStatic) {
   EXPECT_TRUE(read.scenes[1].objects[1].is_static);
 }
 
+TEST(SceneArchive, TheGroundIsKeptAndThatOfMoviGoesWithoutSaying) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "a.safetensors";
+  SceneArchive archive = example_archive();
+  write_scene_archive(path, archive);
+  EXPECT_EQ(read_tensor_file(path).metadata.at("format_version"), "1");
+  EXPECT_EQ(read_tensor_file(path).metadata.at("scenes").find("ground"), std::string::npos);
+  EXPECT_EQ(read_scene_archive(path).scenes[0].ground, (GroundProperties{0.3, 0.5}));
+  archive.scenes[0].ground = {0.85, std::nullopt};
+  write_scene_archive(path, archive);
+  EXPECT_EQ(read_tensor_file(path).metadata.at("format_version"), "3");
+  const SceneArchive read = read_scene_archive(path);
+  EXPECT_EQ(read.scenes[0].ground, archive.scenes[0].ground);
+  EXPECT_EQ(read.scenes[1].ground, archive.scenes[1].ground);
+}
+
+TEST(SceneArchive, AFloorMayBeTiltedByTwoDegrees) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "a.safetensors";
+  SceneArchive archive = example_archive();
+  archive.scenes[1].gravity = {0.3, 0.0, -9.8};
+  write_scene_archive(path, archive);
+  EXPECT_EQ(read_scene_archive(path).scenes[1].gravity, archive.scenes[1].gravity);
+  archive.scenes[1].gravity = {0.0, -0.5, -9.8};
+  write_scene_archive(path, archive);
+  EXPECT_NE(error_of([&] { read_scene_archive(path); }).find("does not point along -z"), std::string::npos);
+}
+
 /// Writes a good archive, lets `damage` change its tensors, and returns the error of reading it.
 template <typename Damage>
 std::string error_after(const Damage& damage) {
@@ -111,6 +139,9 @@ TEST(SceneArchive, NamesTheDefect) {
     });
   };
   expect_mentions(with_scene("[0.0,0.0,-9.0]", "[0.0,-9.0,0.0]"), "does not point along -z");
+  expect_mentions(with_scene("\"seed\"", "\"ground\":{\"friction\":-1,\"restitution\":null},\"seed\""), "friction");
+  expect_mentions(with_scene("\"seed\"", "\"ground\":{\"friction\":1,\"restitution\":2},\"seed\""), "above 1");
+  expect_mentions(with_scene("\"seed\"", "\"ground\":{\"friction\":1},\"seed\""), "metadata is not valid");
   expect_mentions(with_scene("\"seed\"", "\"num_frames\":6,\"seed\""), "no num_frames in 1...5");
   expect_mentions(error_after([](TensorFile& f) { f.metadata["scenes"] = "[]"; }), "object_scene");
   expect_mentions(error_after([](TensorFile& f) { f.tensors.erase("poses"); }), "'poses' is missing");

@@ -211,7 +211,7 @@ TEST(ContactSearch, WhatTokensSayDoesNotDependOnWhereTheSceneStands) {
   scene.state.previous.rotation = scene.state.current.rotation;
   const auto describe = [](const Cubes& cubes) {
     const BaseMotion base = make_base_motion(token_options(), cubes.batch, cubes.state, cubes.centre);
-    return describe_contacts(cubes.batch, cubes.state, base, contacts_of(cubes));
+    return describe_contacts(token_options(), cubes.batch, cubes.state, base, contacts_of(cubes));
   };
   const ContactDescription here = describe(scene), there = describe(moved(scene, 0.7, {3.0, -2.0, 0.0}));
   ASSERT_GT(here.row.size(0), 2);
@@ -260,7 +260,7 @@ TEST(ContactSearch, GradientsFlowThroughTheVelocities) {
   const ContactSearch search = make_contact_search(model->options, scene.batch, scene.centre);
   const BaseMotion base = make_base_motion(model->options, scene.batch, scene.state, scene.centre);
   const ContactDescription described =
-      describe_contacts(scene.batch, scene.state, base, search(scene.state.current, base.pose));
+      describe_contacts(token_options(), scene.batch, scene.state, base, search(scene.state.current, base.pose));
   described.answers.linear.square().sum().backward();
   const Tensor gradient = scene.state.previous.translation.grad();
   EXPECT_TRUE(torch::isfinite(gradient).all().item<bool>());

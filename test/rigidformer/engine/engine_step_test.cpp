@@ -62,6 +62,20 @@ TEST(EngineStep, FreeFlightIsTheBaseMotion) {
   expect_near(motion.departure, scene.state.current);
 }
 
+TEST(EngineStep, TheGroundIsTheOneThatIsToldElseMovis) {
+  EngineCubes cubes(1);
+  cubes.place(0, {0.0, 0.0, 0.5005}, {2.0, 0.0, 0.0});
+  const auto slid_m = [&] { return cubes.roll_out(6).translation[0][0][0].item<double>(); };
+  const double untold = slid_m();
+  cubes.batch.ground_material = torch::tensor({{0.3, 0.5}}, torch::kFloat64);
+  cubes.batch.ground_known = torch::zeros({1, 2}, torch::kFloat64);
+  EXPECT_EQ(slid_m(), untold);
+  cubes.batch.ground_known.fill_(1.0);
+  EXPECT_NEAR(slid_m(), untold, 1e-6);
+  cubes.batch.ground_material[0][0] = 1.0;
+  EXPECT_LT(slid_m(), untold - 0.02);
+}
+
 TEST(EngineStep, VelocityIsCarriedThroughImpacts) {
   EngineCubes cubes(1);
   cubes.place(0, {0.0, 0.0, 0.75}, {0.5, 0.0, -4.0});

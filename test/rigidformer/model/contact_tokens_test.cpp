@@ -44,7 +44,9 @@ class ContactTokensTest : public ::testing::Test {
   }
 
   BaseMotion base() const { return make_base_motion(token_options(), scene_.batch, scene_.state, centre_); }
-  ContactDescription describe() const { return describe_contacts(scene_.batch, scene_.state, base(), contacts_); }
+  ContactDescription describe(const ModelOptions& options = token_options()) const {
+    return describe_contacts(options, scene_.batch, scene_.state, base(), contacts_);
+  }
 
   Tensor R(std::int64_t k) const { return scene_.state.current.rotation[0][k]; }
   Tensor inertia(std::int64_t k) const {  // about the centre of mass, world axes
@@ -56,6 +58,20 @@ class ContactTokensTest : public ::testing::Test {
   Contacts contacts_;
   Tensor centre_;
 };
+
+TEST_F(ContactTokensTest, TheGroundIsToldWhereItIsTouchedAndNowhereElse) {
+  ModelOptions options = token_options();
+  const Tensor without = describe(options).features;
+  options.ground_material = true;
+  scene_.batch.ground_material = torch::tensor({{0.7, 0.2}}, kDouble);
+  scene_.batch.ground_known = torch::tensor({{1.0, 0.0}}, kDouble);
+  const Tensor features = describe(options).features;
+  ASSERT_EQ(features.size(-1), num_token_features(options));
+  EXPECT_TRUE(torch::equal(features.slice(-1, 0, without.size(-1)), without));
+  const Tensor told = features.slice(-1, without.size(-1));
+  EXPECT_EQ(told.slice(0, 0, 2).abs().max().item<double>(), 0.0) << "contacts between objects";
+  EXPECT_TRUE(torch::equal(told[2], torch::tensor({0.7, 0.0, 1.0, 0.0}, kDouble)));
+}
 
 TEST_F(ContactTokensTest, UnitAnswersKeepMomentumAndSpin) {
   approach();

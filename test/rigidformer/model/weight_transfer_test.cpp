@@ -24,6 +24,18 @@ TEST(TransferWeights, AnExtendedModelBeginsAsTheOneItComesFrom) {
   EXPECT_LT(largest_difference(actual.departure.translation, scene.state.current.translation), 1e-9);
 }
 
+TEST(TransferWeights, AModelThatLearnsToReadTheGroundBeginsAsTheOneThatDoesNot) {
+  ModelOptions options = token_options();
+  RigidFormer old_model = random_model(options);
+  options.ground_material = true;
+  RigidFormer new_model = random_model(options);
+  transfer_weights(old_model, new_model);
+  RandomScene scene = random_scene(1, {{20, 9, 16}});
+  scene.batch.ground_material = torch::tensor({{0.7, 0.2}}, torch::kFloat64);
+  scene.batch.ground_known = torch::ones({1, 2}, torch::kFloat64);
+  EXPECT_LT(largest_difference(predict(new_model, scene).anchors_raw, predict(old_model, scene).anchors_raw), 1e-12);
+}
+
 TEST(TransferWeights, ModelsThatDoNotFitAreRefusedByTensor) {
   ModelOptions options = model_preset("tiny");
   const RigidFormer tiny(options);

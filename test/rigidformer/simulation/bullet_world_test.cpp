@@ -63,6 +63,26 @@ TEST(BulletWorld, ACubeComesToRestOnTheFloor) {
   EXPECT_LT(world.state(0).velocity.norm(), 0.02);
 }
 
+/// The ball after two seconds on the floor, on which it first spins and rolls.
+BodyState ball_after_two_seconds(const BulletSettings& settings) {
+  BulletWorld world(settings);
+  BodyState start = at(0, 0, 0.5);
+  start.velocity = {1.0, 0.0, 0.0};
+  start.angular_velocity = {0.0, 2.0, 4.0};
+  world.add_body(builtin("sphere"), 1.0, {1.0, 0.8, 0.0}, start);
+  for (int frame = 0; frame < 480; ++frame) world.step_frame();
+  return world.state(0);
+}
+
+TEST(BulletWorld, SpinningAndRollingFrictionStopABallThatWentOnWithout) {
+  BulletSettings settings;
+  EXPECT_GT(ball_after_two_seconds(settings).velocity.x(), 0.7);
+  EXPECT_GT(ball_after_two_seconds(settings).angular_velocity.z(), 2.5);
+  settings.rolling_friction = settings.spinning_friction = 0.5;
+  EXPECT_LT(ball_after_two_seconds(settings).velocity.norm(), 0.05);
+  EXPECT_LT(ball_after_two_seconds(settings).angular_velocity.norm(), 0.1);
+}
+
 TEST(BulletWorld, OverlapsAreSeenByShapeNotByBox) {
   BulletWorld world(BulletSettings{});
   world.add_body(builtin("torus"), 1.0, kRubber, at(0, 0, 3));

@@ -106,6 +106,33 @@ TEST_F(DatasetGenerator, P43_MeshesThatTheSetDoesNotDrawFromMayBeBroken) {
   EXPECT_EQ(load_scenes(any.output, std::vector<Shape>{}).shapes.size(), 3u);
 }
 
+TEST_F(DatasetGenerator, EnginesMakeTwinsOfTheSameVariedScenes) {
+  DatasetOptions bullet = options();
+  bullet.contacts = "varied";
+  bullet.movi.num_frames = 5;
+  generate_dataset(bullet, log_);
+  DatasetOptions mujoco = bullet;
+  mujoco.engine = "mujoco";
+  EXPECT_THROW(generate_dataset(mujoco, log_), std::runtime_error);  // the folder or the missing engine
+  mujoco.output = folder_ / "mujoco";
+  try {
+    generate_dataset(mujoco, log_);
+  } catch (const std::runtime_error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  const SceneArchive a = load_scenes(bullet.output, std::vector<Shape>{});
+  const SceneArchive b = load_scenes(mujoco.output, std::vector<Shape>{});
+  for (std::size_t s = 0; s < a.scenes.size(); ++s) {
+    EXPECT_EQ(a.scenes[s].ground, b.scenes[s].ground);
+    EXPECT_FALSE(a.scenes[s].ground == SceneRecording().ground);
+    EXPECT_EQ(a.scenes[s].gravity, b.scenes[s].gravity);
+    const RecordedObject &x = a.scenes[s].objects[0], &y = b.scenes[s].objects[0];
+    EXPECT_EQ(x.properties.friction, y.properties.friction);
+    EXPECT_EQ(x.T_world_object[0].translation, y.T_world_object[0].translation);
+    EXPECT_LT((x.T_world_object[4].translation - y.T_world_object[4].translation).norm(), 1e-3) << "in free fall";
+  }
+}
+
 TEST_F(DatasetGenerator, RefusesToMixData) {
   generate_dataset(options(), log_);
   DatasetOptions other_seed = options();
@@ -130,6 +157,12 @@ TEST_F(DatasetGenerator, BadOptionsAreRefusedBeforeAnythingIsWritten) {
   EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
   bad = options();
   bad.movi.num_frames = 0;
+  EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
+  bad = options();
+  bad.contacts = "soft";
+  EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
+  bad = options();
+  bad.engine = "ode";
   EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
   bad = options();
   bad.format = "zip";

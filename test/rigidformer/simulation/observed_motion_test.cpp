@@ -12,12 +12,14 @@ namespace {
 constexpr double kTimeStep_s = 10.0 / 240.0;
 constexpr double kGravity = -9.81;
 
-TEST(ObservedMotion, AWorldTakesOneStepPerFrame) {
-  const BulletSettings settings = observed_world(kTimeStep_s, kGravity);
+TEST(ObservedMotion, AWorldTakesOneStepPerFrameOnTheGroundThatIsKnown) {
+  const BulletSettings settings = observed_world(kTimeStep_s, kGravity, {0.9, std::nullopt});
   EXPECT_DOUBLE_EQ(settings.frame_rate_hz, 24.0);
   EXPECT_EQ(settings.substeps, 10);
   EXPECT_EQ(settings.gravity, Eigen::Vector3d(0.0, 0.0, kGravity));
-  EXPECT_EQ(observed_world(0.001, kGravity).substeps, 1);
+  EXPECT_EQ(settings.floor_friction, 0.9);
+  EXPECT_EQ(settings.floor_restitution, kGroundRestitution);
+  EXPECT_EQ(observed_world(0.001, kGravity, {}).substeps, 1);
 }
 
 TEST(ObservedMotion, FreeFallIsSeenWithTheVelocityOfItsEnd) {
@@ -57,6 +59,8 @@ TEST(ObservedMotion, MeansAreThoseOfTheShippedModel) {
   EXPECT_EQ(kMeanDensity, 1.0);
   EXPECT_EQ(kMeanFriction, 0.6);
   EXPECT_EQ(kMeanRestitution, 0.5);
+  EXPECT_EQ(kGroundFriction, 0.3);
+  EXPECT_EQ(kGroundRestitution, 0.5);
 }
 
 }  // namespace

@@ -177,6 +177,24 @@ TEST_F(WindowBatchTest, UnknownPropertiesAreMasked) {
   EXPECT_EQ(scene.properties.abs().sum().item<double>(), 0.0);
 }
 
+TEST_F(WindowBatchTest, TheGroundIsToldUnlessItIsHidden) {
+  SceneArchive archive = archive_;
+  archive.scenes[2].ground = {0.9, std::nullopt};
+  const SceneTensors tensors = make_scene_tensors({archive}, {4, 256, 1});
+  AugmentationOptions options = no_augmentation(16);
+  const SceneBatch told = make_window_batch(tensors, kWindows, 1, 4, options).scene;
+  EXPECT_TRUE(torch::allclose(told.ground_material, torch::tensor({{0.9, 0.0}, {0.3, 0.5}, {0.3, 0.5}})));
+  EXPECT_TRUE(torch::equal(told.ground_known, torch::tensor({{1.0, 0.0}, {1.0, 1.0}, {1.0, 1.0}})));
+  options.unknown_probability = 0.5;
+  std::set<std::pair<bool, bool>> kinds;  // whether objects and ground are known
+  for (int i = 0; i < 30; ++i) {
+    const SceneBatch scene = make_window_batch(tensors, kWindows, 1, 4, options).scene;
+    EXPECT_TRUE(torch::equal(scene.ground_material, told.ground_material * scene.ground_known));
+    kinds.emplace(scene.properties_known[1].any().item<bool>(), scene.ground_known[1].any().item<bool>());
+  }
+  EXPECT_EQ(kinds.size(), 4u);
+}
+
 TEST_F(WindowBatchTest, PermutationMovesObjectsWithEverythingTheyHave) {
   AugmentationOptions options = no_augmentation(64);
   options.permutation_probability = 1.0;

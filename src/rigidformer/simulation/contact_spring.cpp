@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rigidformer/baselines/contact_spring.hpp"
+#include "rigidformer/simulation/contact_spring.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kStepsPerContact = 12.0;  // solver steps that the undamped spring pushes; chosen by eye
+constexpr double kLeastSteps = 6.0;        // per contact; shorter ones fall between two steps; chosen by eye
 constexpr double kMinRestitution = 0.1;    // smaller ones cannot be stepped through and act as this; chosen by eye
 constexpr double kMaxDampingRatio = 1.25;  // upper end of the search, above critical damping; chosen by eye
 constexpr int kBisections = 40;            // halvings; derived: they leave a ratio's error below 1e-11
@@ -37,7 +37,7 @@ double rebound_speed(const ContactSpring& spring, double solver_step_s) {
   return sum / kPhases;
 }
 
-ContactSpring contact_spring(double restitution, double solver_step_s) {
+ContactSpring contact_spring(double restitution, double solver_step_s, double steps_per_contact) {
   if (!(restitution >= 0.0 && restitution <= 1.0)) {
     throw std::invalid_argument("contact_spring: restitution is " + std::to_string(restitution) +
                                 ", must lie in [0, 1]");
@@ -46,7 +46,11 @@ ContactSpring contact_spring(double restitution, double solver_step_s) {
     throw std::invalid_argument("contact_spring: solver_step_s is " + std::to_string(solver_step_s) +
                                 ", must be positive");
   }
-  const double frequency = M_PI / (kStepsPerContact * solver_step_s);
+  if (!(steps_per_contact >= kLeastSteps)) {
+    throw std::invalid_argument("contact_spring: steps_per_contact is " + std::to_string(steps_per_contact) +
+                                ", must be at least " + std::to_string(kLeastSteps));
+  }
+  const double frequency = M_PI / (steps_per_contact * solver_step_s);
   const auto damped = [&](double ratio) { return ContactSpring{frequency * frequency, 2.0 * ratio * frequency}; };
   double low = 0.0;
   double high = kMaxDampingRatio;

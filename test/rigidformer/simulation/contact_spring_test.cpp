@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rigidformer/baselines/contact_spring.hpp"
+#include "rigidformer/simulation/contact_spring.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +30,14 @@ TEST(ContactSpring, TheUndampedContactTakesTwelveSteps) {
   EXPECT_NEAR(std::sqrt(contact_spring(0.5, 0.001).stiffness), M_PI / 0.012, 1e-9);
 }
 
+TEST(ContactSpring, ContactsOfMoreStepsAreSofter) {
+  for (const double steps : {6.0, 8.0, 20.0}) {
+    const ContactSpring spring = contact_spring(0.6, 0.001, steps);
+    EXPECT_NEAR(std::sqrt(spring.stiffness), M_PI / (0.001 * steps), 1e-9);
+    EXPECT_NEAR(rebound_speed(spring, 0.001), 0.6, 1e-6);
+  }
+}
+
 TEST(ContactSpring, LessRestitutionThanOneTenthActsAsOneTenth) {
   EXPECT_EQ(contact_spring(0.0, 0.001).damping, contact_spring(0.1, 0.001).damping);
   EXPECT_GT(contact_spring(0.1, 0.001).damping, contact_spring(0.2, 0.001).damping);
@@ -39,6 +47,7 @@ TEST(ContactSpring, RefusesImpossibleContacts) {
   EXPECT_THROW(contact_spring(-0.1, 0.001), std::invalid_argument);
   EXPECT_THROW(contact_spring(1.1, 0.001), std::invalid_argument);
   EXPECT_THROW(contact_spring(0.5, 0.0), std::invalid_argument);
+  EXPECT_THROW(contact_spring(0.5, 0.001, 5.0), std::invalid_argument);
 }
 
 }  // namespace

@@ -15,9 +15,12 @@ struct ContactSpring {
 /// steps at which the impact can fall.
 double rebound_speed(const ContactSpring& spring, double solver_step_s);
 
+constexpr double kStepsPerContact = 12.0;  ///< Solver steps that an undamped spring pushes; chosen by eye
+
 /// Finds the contact that rebounds with `restitution` times the speed of impact at this solver step; its undamped
-/// spring pushes for twelve steps. Restitutions below 0.1 act as 0.1, because more damping cannot be stepped through.
-/// Throws std::invalid_argument unless 0 <= restitution <= 1 and solver_step_s > 0.
-ContactSpring contact_spring(double restitution, double solver_step_s);
+/// spring pushes for `steps_per_contact` steps: more make softer contacts. Restitutions below 0.1 act as 0.1, because
+/// more damping cannot be stepped through. Throws std::invalid_argument unless 0 <= restitution <= 1, solver_step_s > 0
+/// and steps_per_contact >= 6.
+ContactSpring contact_spring(double restitution, double solver_step_s, double steps_per_contact = kStepsPerContact);
 
 }  // namespace rigidformer
