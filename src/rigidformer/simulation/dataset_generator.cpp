@@ -19,6 +19,7 @@
 #include "rigidformer/io/sha256.hpp"
 #include "rigidformer/io/text_file.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
+#include "rigidformer/simulation/scene_set.hpp"
 
 namespace rigidformer {
 namespace {
@@ -99,10 +100,7 @@ std::vector<Shape> load_library(MoviSet set, const fs::path& folder, std::vector
 class DatasetGenerator {
  public:
   DatasetGenerator(const DatasetOptions& options, std::vector<Shape> shapes, std::ostream& log)
-      : options_(options),
-        set_(parse_movi_set(options.set)),
-        shapes_(std::move(shapes)),
-        progress_(options.num_scenes, log) {}
+      : options_(options), shapes_(std::move(shapes)), progress_(options.num_scenes, log) {}
 
   void write_shards() {
     for (int first = 0; first < options_.num_scenes; first += kScenesPerShard) {
@@ -140,11 +138,10 @@ class DatasetGenerator {
 
  private:
   SceneRecording generate(int index) const {
-    return generate_movi_scene(set_, shapes_, options_.seed, static_cast<std::uint64_t>(index), options_.movi);
+    return generate_scene(options_.set, shapes_, options_.seed, static_cast<std::uint64_t>(index), options_.movi);
   }
 
   const DatasetOptions& options_;
-  MoviSet set_;
   std::vector<Shape> shapes_;
   Progress progress_;
 };
@@ -152,7 +149,11 @@ class DatasetGenerator {
 }  // namespace
 
 void DatasetOptions::validate() const {
-  parse_movi_set(set);
+  check_scene_set(set);
+  if (!shapes.empty() && !draws_from_library(set)) {
+    throw std::invalid_argument("shapes = '" + shapes.string() + "': scenes of set " + set +
+                                " have shapes of their own");
+  }
   if (num_scenes < 1) throw std::invalid_argument("scenes = " + std::to_string(num_scenes) + " must be >= 1");
   if (movi.num_frames < 1) throw std::invalid_argument("frames = " + std::to_string(movi.num_frames) + " must be >= 1");
   if (movi.first_frame < 0) {
@@ -163,14 +164,17 @@ void DatasetOptions::validate() const {
   if (format != "archive" && format != "kubric") {
     throw std::invalid_argument("format '" + format + "' is not one of archive, kubric");
   }
+  if (format == "kubric" && has_commands(set)) {
+    throw std::invalid_argument("format 'kubric' has no place for the commands of set " + set);
+  }
 }
 
 void generate_dataset(const DatasetOptions& options, std::ostream& log) {
   options.validate();
   std::vector<std::string> warnings;
-  const MoviSet set = parse_movi_set(options.set);
-  const std::vector<Shape> shapes =
-      movi_shapes(set, options.shapes.empty() ? builtin_shapes() : load_library(set, options.shapes, warnings));
+  const std::vector<Shape> library =
+      options.shapes.empty() ? builtin_shapes() : load_library(parse_movi_set(options.set), options.shapes, warnings);
+  const std::vector<Shape> shapes = scene_set_shapes(options.set, library);
   for (const std::string& warning : warnings) log << "warning: " << warning << '\n';
   claim_folder(options, shapes);
   DatasetGenerator generator(options, shapes, log);
