@@ -38,6 +38,13 @@ struct SceneRecording {
   Eigen::Vector3d gravity{0.0, 0.0, -10.0};  ///< [m/s^2] as in the MOVi scenes; a tilted floor turns it
   GroundProperties ground{0.3, 0.5};         ///< As in the MOVi scenes
   std::vector<RecordedObject> objects;
+  /// Command that counts from each frame on, one per frame and all of one width; empty where nothing is commanded.
+  std::vector<std::vector<double>> control;
+  int control_directions = 0;  ///< So many horizontal vectors (x, y) end the command: they turn with the scene
 };
+
+/// The commands of `num_steps` steps of `step` frames each, the first from `frame` on; the last recorded one goes on.
+/// Empty where nothing is commanded.
+std::vector<std::vector<double>> commands_of_steps(const SceneRecording& scene, int frame, int step, int num_steps);
 
 }  // namespace rigidformer

@@ -13,7 +13,7 @@ namespace rigidformer {
 
 /// The data set to generate and its place.
 struct DatasetOptions {
-  std::string set = "movi_a";      ///< movi_sphere | movi_a | movi_b
+  std::string set = "movi_a";      ///< One of scene_set_names()
   int num_scenes = 0;              ///< Number of scenes, at least 1
   std::uint64_t seed = 0;          ///< Scene i depends on the seed and on i only
   std::filesystem::path output;    ///< Folder, made when missing

@@ -199,6 +199,28 @@ void unpack_objects(const Reader& reader, int num_frames, SceneArchive& archive)
   }
 }
 
+void unpack_control(const Reader& reader, int num_frames, SceneArchive& archive) {
+  if (!reader.has("control")) return;
+  const auto S = static_cast<std::int64_t>(archive.scenes.size());
+  const auto values = reader.values<float>("control", TensorType::kFloat32, {S, num_frames, kAny});
+  const std::size_t width = archive.scenes.empty() ? 0 : values.size() / archive.scenes.size() / num_frames;
+  if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) {
+    reader.fail_here("tensor 'control' holds numbers that are not finite");
+  }
+  const Json directions = reader.json("control_directions");
+  if (!directions.is_number_unsigned() || directions.get<std::uint64_t>() * 2 > width) {
+    reader.fail_here("control_directions = " + directions.dump() + " does not fit a command of " +
+                     std::to_string(width) + " numbers");
+  }
+  auto value = values.begin();
+  for (SceneRecording& scene : archive.scenes) {
+    for (int frame = 0; frame < num_frames; ++frame, value += static_cast<std::ptrdiff_t>(width)) {
+      if (frame < scene.num_frames) scene.control.emplace_back(value, value + static_cast<std::ptrdiff_t>(width));
+    }
+    scene.control_directions = directions.get<int>();
+  }
+}
+
 }  // namespace
 
 SceneArchive read_scene_archive(const std::filesystem::path& path) {
@@ -218,6 +240,7 @@ SceneArchive read_scene_archive(const std::filesystem::path& path) {
   try {
     SceneArchive archive{reader.text("set"), unpack_shapes(reader), unpack_scenes(reader, num_frames)};
     unpack_objects(reader, num_frames, archive);
+    unpack_control(reader, num_frames, archive);
     return archive;
   } catch (const nlohmann::json::exception& exception) {
     fail(path, std::string("metadata is not valid: ") + exception.what());

@@ -129,6 +129,31 @@ void pack_objects(const std::filesystem::path& path, const SceneArchive& archive
   file.tensors["poses"] = make_raw_tensor(TensorType::kFloat32, {n, num_frames, kPoseSize}, columns.poses);
 }
 
+/// The commands of all scenes [S, F, C], where there are any; frames after the end of a scene repeat the last one.
+void pack_control(const std::filesystem::path& path, const SceneArchive& archive, TensorFile& file) {
+  const auto width_of = [](const SceneRecording& scene) {
+    return scene.control.empty() ? std::size_t{0} : scene.control.front().size();
+  };
+  const std::size_t width = archive.scenes.empty() ? 0 : width_of(archive.scenes.front());
+  const auto num_frames = static_cast<std::size_t>(most_frames(archive));
+  std::vector<float> values;
+  for (const SceneRecording& scene : archive.scenes) {
+    if (width_of(scene) != width || scene.control_directions != archive.scenes.front().control_directions) {
+      fail(path, "scene '" + scene.name + "' has commands of another width than the first one");
+    }
+    for (std::size_t frame = 0; width > 0 && frame < num_frames; ++frame) {
+      const std::vector<double>& command = scene.control[std::min(frame, scene.control.size() - 1)];
+      for (const double value : command) values.push_back(static_cast<float>(value));
+    }
+  }
+  if (width == 0) return;
+  file.metadata["control_directions"] = std::to_string(archive.scenes.front().control_directions);
+  const std::vector<std::int64_t> shape{signed_size(archive.scenes.size()), signed_size(num_frames),
+                                        signed_size(width)};
+  if (values.size() != archive.scenes.size() * num_frames * width) fail(path, "commands of one scene differ in width");
+  file.tensors["control"] = make_raw_tensor(TensorType::kFloat32, shape, values);
+}
+
 void pack_metadata(const SceneArchive& archive, TensorFile& file) {
   Json shapes = Json::array();
   for (const Shape& shape : archive.shapes) shapes.push_back({{"name", shape.name}, {"mass_kg", shape.mass_kg}});
@@ -157,6 +182,7 @@ void write_scene_archive(const std::filesystem::path& path, const SceneArchive& 
   pack_metadata(archive, file);
   pack_shapes(archive, file);
   pack_objects(path, archive, file);
+  pack_control(path, archive, file);
   write_tensor_file(path, file);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -96,12 +97,15 @@ class NearestPoints::Impl {
 
   void query(const std::vector<RigidTransform>& poses, std::vector<NearestNeighbors>& nearest) {
     validate(poses);
+    centres_world_.clear();
+    for (std::size_t i = 0; i < clouds_.size(); ++i) {
+      centres_world_.push_back(poses[i] * clouds_[i]->centre().cast<double>());
+    }
     for (std::size_t i = 0; i < clouds_.size(); ++i) {
       start_from_last_answer(i, poses);
-      sort_candidates(i, poses);
+      sort_candidates(i);
       for (const auto& [lower_bound, j] : candidates_) {
-        const float reach = std::sqrt(*std::max_element(best_.begin(), best_.end()));
-        if (lower_bound > reach) {
+        if (lower_bound > reach()) {
           break;
         }
         search_pair(i, j, poses);
@@ -127,29 +131,31 @@ class NearestPoints::Impl {
   void start_from_last_answer(std::size_t i, const std::vector<RigidTransform>& poses) {
     const Points& points = clouds_[i]->points();
     best_.assign(points.rows(), kFar);
-    to_own_frame_.clear();
-    for (const RigidTransform& T_world_other : poses) {
-      to_own_frame_.emplace_back(poses[i].inverse() * T_world_other);
-    }
+    to_own_frame_.assign(clouds_.size(), std::nullopt);  // of hundreds of objects a few are near: the rest stays empty
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
       const int j = last_[i].object[row];
       if (j >= 0) {
+        std::optional<FloatTransform>& T_own_other = to_own_frame_[j];
+        if (!T_own_other) T_own_other.emplace(poses[i].inverse() * poses[j]);
         const Eigen::Vector3f other = clouds_[j]->points().row(last_[i].point[row]);
-        best_[row] = (to_own_frame_[j].rotation * other + to_own_frame_[j].translation - points.row(row).transpose())
-                         .squaredNorm();
+        best_[row] =
+            (T_own_other->rotation * other + T_own_other->translation - points.row(row).transpose()).squaredNorm();
       }
     }
   }
 
-  /// Sorts the other objects by the least distance that their bounding spheres allow.
-  void sort_candidates(std::size_t i, const std::vector<RigidTransform>& poses) {
+  /// Farthest that a nearest point of the searched object can still be [m].
+  float reach() const { return std::sqrt(*std::max_element(best_.begin(), best_.end())); }
+
+  /// Sorts the other objects in reach by the least distance that their bounding spheres allow.
+  void sort_candidates(std::size_t i) {
     candidates_.clear();
-    const Eigen::Vector3d centre = poses[i] * clouds_[i]->centre().cast<double>();
+    const float farthest = reach();
     for (std::size_t j = 0; j < clouds_.size(); ++j) {
-      if (j != i) {
-        const double gap = (poses[j] * clouds_[j]->centre().cast<double>() - centre).norm();
-        candidates_.emplace_back(static_cast<float>(gap) - clouds_[i]->radius() - clouds_[j]->radius(), j);
-      }
+      if (j == i) continue;
+      const double gap = (centres_world_[j] - centres_world_[i]).norm();
+      const float least = static_cast<float>(gap) - clouds_[i]->radius() - clouds_[j]->radius();
+      if (least <= farthest) candidates_.emplace_back(least, j);
     }
     std::sort(candidates_.begin(), candidates_.end());
   }
@@ -175,8 +181,10 @@ class NearestPoints::Impl {
 
   std::vector<std::unique_ptr<SearchableCloud>> clouds_;
   std::vector<NearestNeighbors> last_;
-  std::vector<float> best_;                   ///< Squared nearest distances so far of the points of the searched object
-  std::vector<FloatTransform> to_own_frame_;  ///< Motions from the searched object's frame to every other one's
+  std::vector<float> best_;  ///< Squared nearest distances so far of the points of the searched object
+  std::vector<Eigen::Vector3d> centres_world_;
+  /// From the frames of others to that of the searched object; of those only that hold a last answer
+  std::vector<std::optional<FloatTransform>> to_own_frame_;
   std::vector<std::pair<float, std::size_t>> candidates_;  ///< (least possible distance, object)
 };
 

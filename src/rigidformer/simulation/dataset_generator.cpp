@@ -19,6 +19,7 @@
 #include "rigidformer/io/sha256.hpp"
 #include "rigidformer/io/text_file.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
+#include "rigidformer/simulation/scene_set.hpp"
 #include "rigidformer/simulation/varied_scene.hpp"
 
 namespace rigidformer {
@@ -108,10 +109,7 @@ void require_one_of(const char* field, const std::string& value, const std::stri
 class DatasetGenerator {
  public:
   DatasetGenerator(const DatasetOptions& options, std::vector<Shape> shapes, std::ostream& log)
-      : options_(options),
-        set_(parse_movi_set(options.set)),
-        shapes_(std::move(shapes)),
-        progress_(options.num_scenes, log) {}
+      : options_(options), shapes_(std::move(shapes)), progress_(options.num_scenes, log) {}
 
   void write_shards() {
     for (int first = 0; first < options_.num_scenes; first += kScenesPerShard) {
@@ -151,11 +149,15 @@ class DatasetGenerator {
   SceneRecording generate(int index) const {
     const MoviOptions& movi = options_.movi;
     const auto i = static_cast<std::uint64_t>(index);
-    VariedScene scene{{}, movi_bullet_settings(set_), {}};
+    if (options_.engine == kBullet && options_.contacts == kMovi) {
+      return generate_scene(options_.set, shapes_, options_.seed, i, movi);
+    }
+    const MoviSet set = parse_movi_set(options_.set);
+    VariedScene scene{{}, movi_bullet_settings(set), {}};
     if (options_.contacts == kVaried) {
-      scene = sample_varied_scene(set_, shapes_, options_.seed, i, movi);
+      scene = sample_varied_scene(set, shapes_, options_.seed, i, movi);
     } else {
-      scene.start = sample_movi_scene(set_, shapes_, options_.seed, i, movi);
+      scene.start = sample_movi_scene(set, shapes_, options_.seed, i, movi);
     }
 #ifdef RIGIDFORMER_HAS_MUJOCO
     if (options_.engine == kMujoco) {
@@ -166,7 +168,6 @@ class DatasetGenerator {
   }
 
   const DatasetOptions& options_;
-  MoviSet set_;
   std::vector<Shape> shapes_;
   Progress progress_;
 };
@@ -174,7 +175,11 @@ class DatasetGenerator {
 }  // namespace
 
 void DatasetOptions::validate() const {
-  parse_movi_set(set);
+  check_scene_set(set);
+  if (!shapes.empty() && !draws_from_library(set)) {
+    throw std::invalid_argument("shapes = '" + shapes.string() + "': scenes of set " + set +
+                                " have shapes of their own");
+  }
   if (num_scenes < 1) throw std::invalid_argument("scenes = " + std::to_string(num_scenes) + " must be >= 1");
   if (movi.num_frames < 1) throw std::invalid_argument("frames = " + std::to_string(movi.num_frames) + " must be >= 1");
   if (movi.first_frame < 0) {
@@ -188,14 +193,20 @@ void DatasetOptions::validate() const {
 #ifndef RIGIDFORMER_HAS_MUJOCO
   if (engine == kMujoco) throw std::runtime_error("mujoco is not built in: install libmujoco-dev and build again");
 #endif
+  if ((engine != kBullet || contacts != kMovi) && !draws_from_library(set)) {
+    throw std::invalid_argument("set '" + set + "' is made by bullet with its own contacts only");
+  }
+  if (format == "kubric" && has_commands(set)) {
+    throw std::invalid_argument("format 'kubric' has no place for the commands of set " + set);
+  }
 }
 
 void generate_dataset(const DatasetOptions& options, std::ostream& log) {
   options.validate();
   std::vector<std::string> warnings;
-  const MoviSet set = parse_movi_set(options.set);
-  const std::vector<Shape> shapes =
-      movi_shapes(set, options.shapes.empty() ? builtin_shapes() : load_library(set, options.shapes, warnings));
+  const std::vector<Shape> library =
+      options.shapes.empty() ? builtin_shapes() : load_library(parse_movi_set(options.set), options.shapes, warnings);
+  const std::vector<Shape> shapes = scene_set_shapes(options.set, library);
   for (const std::string& warning : warnings) log << "warning: " << warning << '\n';
   claim_folder(options, shapes);
   DatasetGenerator generator(options, shapes, log);

@@ -53,6 +53,23 @@ TEST(SceneArchive, RefusesToWriteAnUnknownShape) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.safetensors"));
 }
 
+TEST(SceneArchive, KeepsTheCommandOfEveryFrame) {
+  const TemporaryFolder folder;
+  SceneArchive archive = example_archive(5);
+  for (SceneRecording& scene : archive.scenes) {
+    for (int frame = 0; frame < 5; ++frame) scene.control.push_back({0.5 * frame, 1.0, -0.25});
+    scene.control_directions = 1;
+  }
+  write_scene_archive(folder.path() / "a.safetensors", archive);
+  const SceneArchive read = read_scene_archive(folder.path() / "a.safetensors");
+  EXPECT_EQ(read.scenes[1].control, archive.scenes[1].control);
+  EXPECT_EQ(read.scenes[1].control_directions, 1);
+
+  archive.scenes[1].control.clear();
+  const std::string error = error_of([&] { write_scene_archive(folder.path() / "b.safetensors", archive); });
+  EXPECT_NE(error.find("commands of another width"), std::string::npos) << error;
+}
+
 TEST(SceneArchive, P45_ScenesKeepTheirOwnLengths) {
   const TemporaryFolder folder;
   SceneArchive archive = example_archive(5);
