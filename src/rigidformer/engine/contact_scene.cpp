@@ -68,10 +68,10 @@ ContactScene::ContactScene(ContactScene&&) noexcept = default;
 void ContactScene::describe_bodies(Tensor& mass, Tensor& inverse_inertia) const {
   for (const Body& body : bodies_) {
     const std::int64_t k = body.solid.object;
-    mass[scene_][k] = *body.solid.properties.mass_kg;
+    const std::int64_t row = scene_ * mass.size(1) + k;
+    mass.data_ptr<double>()[row] = *body.solid.properties.mass_kg;
     const Eigen::Matrix3d inverse = inertia_per_mass(body.solid.hull).inverse();  // symmetric
-    Tensor row = inverse_inertia[scene_][k];
-    std::copy(inverse.data(), inverse.data() + 9, row.data_ptr<double>());
+    std::copy(inverse.data(), inverse.data() + 9, inverse_inertia.data_ptr<double>() + 9 * row);
   }
 }
 

@@ -14,7 +14,11 @@ LinearImpl::LinearImpl(std::int64_t in, std::int64_t out, bool with_bias) {
 
 Tensor LinearImpl::forward(const Tensor& x) {
   const auto type = x.scalar_type();
-  return bias.defined() ? torch::linear(x, weight.to(type), bias.to(type)) : torch::linear(x, weight.to(type));
+  if (!bias.defined()) return torch::linear(x, weight.to(type));
+  // Of rows in one matrix LibTorch adds the bias inside the product, else in a pass of its own.
+  auto shape = x.sizes().vec();
+  shape.back() = weight.size(0);
+  return torch::linear(x.reshape({-1, weight.size(1)}), weight.to(type), bias.to(type)).reshape(shape);
 }
 
 void LinearImpl::zero() {
