@@ -37,7 +37,8 @@ struct ModelInfo {
   double min_size_m = 0.0, max_size_m = 0.0;            ///< Range of object diameters that it was trained on
   double max_speed_mps = 0.0;                           ///< Highest speed of points that it was trained on
   int max_objects = 0;                                  ///< Most objects per call
-  int max_points = 0;  ///< Points per object that the network looks at; more are thinned
+  int max_points = 0;   ///< Points per object that the network looks at; more are thinned
+  int control_dim = 0;  ///< Numbers of the command that every step needs (App. I); 0 = none
 };
 
 /// Loads a RigidFormer checkpoint and rolls scenes out. Torch stays hidden behind the implementation.

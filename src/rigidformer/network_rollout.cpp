@@ -6,6 +6,7 @@
 
 #include "rigidformer/engine/contact_search.hpp"
 #include "rigidformer/geometry/nearest_points.hpp"
+#include "rigidformer/model/command.hpp"
 #include "rigidformer/model/nearest.hpp"
 
 namespace rigidformer {
@@ -45,7 +46,7 @@ bool is_finite(const RigidTransform& T) { return T.translation.allFinite() && T.
 
 NetworkRollout::NetworkRollout(RigidFormer& model, const torch::Device& device, int max_points, const RestLimits& rest,
                                const std::vector<ObjectState>& objects, const RolloutOptions& rollout)
-    : model_(model), rest_(rest), time_step_s_(rollout.time_step_s) {
+    : model_(model), rest_(rest), rollout_(rollout) {
   const auto start = std::chrono::steady_clock::now();
   c10::InferenceMode inference;
   input_ = make_scene_input(objects, rollout, model->options, max_points);
@@ -72,10 +73,13 @@ const Forecast& NetworkRollout::advance(int num_steps) {
 }
 
 void NetworkRollout::step() {
+  const auto steps_done = static_cast<std::int64_t>(forecast_.times_s.size()) - 1;
+  const Tensor command = command_of_step(rollout_, steps_done);
+  if (command.defined()) batch_.control = command.to(batch_.gravity.device());
   SceneState next =
       rigidformer::advance(batch_, state_, model_->forward(batch_, state_, centre_, nearest_, engine_, contacts_));
   if (rest_.speed_mps > 0.0) hold_resting(batch_, state_, next, rest_);
-  forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * time_step_s_);
+  forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);
   record(next);
   state_ = next;
 }

@@ -28,7 +28,7 @@ class NetworkRollout : public Rollout {
 
   RigidFormer model_;
   RestLimits rest_;
-  double time_step_s_;
+  RolloutOptions rollout_;
   SceneInput input_;
   SceneBatch batch_;
   SceneState state_;

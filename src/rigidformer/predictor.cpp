@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "rigidformer/model/checkpoint.hpp"
+#include "rigidformer/model/command.hpp"
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/threads.hpp"
 #include "rigidformer/network_rollout.hpp"
@@ -132,10 +133,12 @@ void Predictor::Impl::describe() {
   info.max_speed_mps = facts.max_speed_mps;
   info.max_objects = kMaxObjects;
   info.max_points = options.max_points;
+  info.control_dim = checkpoint.model->options.control_dim;
 }
 
 void Predictor::Impl::check(const RolloutOptions& rollout) const {
   validate_options(rollout);
+  check_commands(rollout, info.control_dim);
   if (rollout.time_step_s < info.min_time_step_s - kTimeStepTolerance ||
       rollout.time_step_s > info.max_time_step_s + kTimeStepTolerance) {
     throw std::invalid_argument("time_step_s is " + std::to_string(rollout.time_step_s) +
@@ -154,6 +157,7 @@ void Predictor::warm_up() {
   RolloutOptions rollout;
   rollout.num_steps = 2;
   rollout.time_step_s = impl_->info.max_time_step_s;
+  if (impl_->info.control_dim > 0) rollout.control.emplace_back(static_cast<size_t>(impl_->info.control_dim), 0.0);
   for (int run = 0; run < impl_->options.warmup_runs; ++run) predict(warm_up_scene(), rollout);
 }
 

@@ -43,6 +43,7 @@ struct ModelOptions {
   double dropout = 0.0;
   bool gated_attention = true;
   int control_dim = 0;
+  double frame_rate_hz = 240.0;
   PositionEncoding position_encoding = PositionEncoding::kArope;
 
   // Anchors (§3.2, App. G)
@@ -103,6 +104,8 @@ void for_each_size(ModelOptions& o, const Visit& visit) {
   visit("dropout", o.dropout, less_than_all(), "in the decoder, when learning");
   visit("gated_attention", o.gated_attention, anything(), "Tab. 6");
   visit("control_dim", o.control_dim, at_least(0), "width of the control code appended to (s, s^2), App. I");
+  visit("frame_rate_hz", o.frame_rate_hz, positive().newer(),
+        "of the recordings that it learns from: s in (s, s^2) counts their frames");
   visit("num_anchors", o.num_anchors, at_least(3), "N_a");
   visit("random_anchors", o.random_anchors, anything(), "Tab. 9: farthest point sampling starts at a random point");
   visit("avp_hidden", o.avp_hidden, positive().fixed(), "hidden width of the anchor-vertex pooling MLP");

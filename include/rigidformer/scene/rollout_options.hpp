@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "rigidformer/scene/object.hpp"
 
@@ -15,6 +16,8 @@ struct RolloutOptions {
   double gravity = -10.0;  ///< Vertical acceleration [m/s^2]; only models with inertial base motion can change it
   std::optional<double> ground_height_m = 0.0;  ///< Height of the ground plane z = h; empty = no ground
   GroundProperties ground = {};                 ///< What the ground is made of
+  /// The command of every step, or one for all: as many numbers each as ModelInfo::control_dim says. Empty = none.
+  std::vector<std::vector<double>> control = {};
 };
 
 }  // namespace rigidformer

@@ -79,6 +79,7 @@ bool draw_movie(const std::filesystem::path& gif, const SceneRecording& scene, c
   rollout.time_step_s = options.step / scene.frame_rate_hz;
   rollout.gravity = scene.gravity.z();
   rollout.ground = observed_ground(scene, observer.options());
+  rollout.control = commands_of_steps(scene, options.start + options.step, options.step, options.num_steps);
   const auto objects = observer.observe(scene, options.start + options.step, options.step);
   const auto forecast = forecaster.forecast(objects, rollout);
   std::ostringstream script;

@@ -98,6 +98,7 @@ class Round {
     rollout.time_step_s = step_ / scene.frame_rate_hz;
     rollout.gravity = scene.gravity.z();
     rollout.ground = observed_ground(scene, options_.observation);
+    rollout.control = commands_of_steps(scene, start_ + step_, step_, rollout.num_steps);
     SceneResult result{forecaster.name(), set, start_, step_, &scene, {}, {}, {}, {}};
     const auto begin = std::chrono::steady_clock::now();
     result.predicted = forecaster.forecast(objects, rollout);

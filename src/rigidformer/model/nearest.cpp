@@ -17,16 +17,17 @@ Nearest nearest_by_distance_matrix(const SceneBatch& batch, const Pose&, const T
   const std::int64_t B = points_world.size(0), K = points_world.size(1), N = points_world.size(2);
   const Tensor x = points_world.detach().to(torch::kFloat32).reshape({B, K * N, 3});
   const Tensor invalid = batch.point_mask.logical_not().reshape({B, K * N, 1}).to(torch::kFloat32);
-  const Tensor same_object = torch::eye(K, x.options()).repeat_interleave(N, 0).unsqueeze(0).expand({B, K * N, K});
   const Tensor rank = x.square().sum(-1, true) + kFar * invalid;
-  const Tensor query = torch::cat({-2.0 * x, torch::ones_like(rank), same_object}, -1);
-  const Tensor key = torch::cat({x, rank, 0.5 * kFar * same_object}, -1).transpose(1, 2);
+  const Tensor query = torch::cat({-2.0 * x, torch::ones_like(rank)}, -1);
+  const Tensor key = torch::cat({x, rank}, -1).transpose(1, 2);
 
   const std::int64_t chunk = std::clamp<std::int64_t>(kMaxMatrixElements / (K * N * K * N), 1, B);
   std::vector<Tensor> indices, values;
   for (std::int64_t begin = 0; begin < B; begin += chunk) {
     const std::int64_t end = std::min(begin + chunk, B);
-    auto [value, index] = torch::bmm(query.slice(0, begin, end), key.slice(0, begin, end)).min(-1);
+    const Tensor distance = torch::bmm(query.slice(0, begin, end), key.slice(0, begin, end));
+    distance.unflatten(1, {K, N}).unflatten(3, {K, N}).diagonal(0, 1, 3).add_(0.5 * kFar);  // of the same object
+    auto [value, index] = distance.min(-1);
     indices.push_back(index);
     values.push_back(value);
   }

@@ -11,14 +11,14 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kStepUnit = 10.0;         // frames; keeps the FiLM code (s, s^2) near one for s = 1 ... 10
+constexpr double kStepUnit = 10.0;         // recorded frames; keeps the FiLM code (s, s^2) near one for s = 1 ... 10
 constexpr double kPositionUnit = 5.0;      // [m] half the width of the MOVi arena
 constexpr double kFirstEngineLogit = 1.5;  // training starts with an engine share of 0.9; chosen by eye
 constexpr double kEngineShareScale = 1.1;  // above 1, so that a share of exactly 1 is reached; chosen by eye
 
 /// FiLM code (s, s^2, c) of §3.1 and App. I, [B, 2 + control_dim].
 Tensor film_code(const ModelOptions& options, const SceneBatch& batch) {
-  const Tensor s = batch.step_size.unsqueeze(-1) / kStepUnit;
+  const Tensor s = batch.time_step().unsqueeze(-1) * (options.frame_rate_hz / kStepUnit);
   const std::int64_t width = batch.control.defined() ? batch.control.size(-1) : 0;
   if (width != options.control_dim) {
     throw std::invalid_argument("the scene has a command of " + std::to_string(width) + " numbers, the model wants " +

@@ -17,7 +17,7 @@ namespace rigidformer {
 namespace {
 
 constexpr std::uint64_t kAnchorSeed = 1;          // of random anchors; any number does
-constexpr std::int64_t kPointBucket = 64;         // points; padded sizes are multiples of it; by eye
+constexpr std::int64_t kPointBucket = 16;         // points; padded sizes are multiples of it, as of vector units
 constexpr double kMostFriction = 1000.0;          // as scene/objection.cpp accepts of objects
 constexpr std::int64_t kMaxSurfacePoints = 4096;  // points of an object that the engine gets; chosen by eye
 

@@ -24,7 +24,7 @@ struct SceneInput {
 void validate_options(const RolloutOptions& rollout);
 
 /// Objects must be usable (scene/objection.hpp). Points are reduced to the first `max_points` in farthest-point order
-/// and padded to a multiple of 64. Unknown material parameters are marked unknown when the model can read that;
+/// and padded to a multiple of 16. Unknown material parameters are marked unknown when the model can read that;
 /// otherwise MOVi's mean values stand in.
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                             const ModelOptions& model, int max_points);

@@ -91,6 +91,7 @@ Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowB
   const ContactSearch search = num_steps > 0 ? make_contact_search(model->options, scene, centre) : ContactSearch();
   Tensor loss = torch::zeros({}, scene.points_reference.options());
   for (size_t step = 0; step < num_steps; ++step) {
+    if (!windows.controls.empty()) scene.control = windows.controls[step];
     // The centre of mass learns from its own loss alone: it must not be a free parameter of the motion.
     const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search, engine, search);
     const Pose& truth = windows.poses[step + 2];

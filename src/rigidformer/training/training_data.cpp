@@ -33,7 +33,7 @@ void measure_ranges(const SceneTensors& tensors, TrainingFacts& facts) {
   facts.max_diameter_m = diameter.max().item<double>();
   const Tensor position = tensors.poses.slice(-1, 0, 3);
   const Tensor step = position.slice(1, 1) - position.slice(1, 0, -1);
-  facts.max_speed_mps = kFrameRateHz * step.norm(2, -1).max().item<double>();
+  facts.max_speed_mps = tensors.frame_rate_hz * step.norm(2, -1).max().item<double>();
 }
 
 std::vector<Window> draw_windows(WindowOptions options, const ContactEvents& events, const SceneTensors& tensors) {
@@ -72,11 +72,11 @@ int least_frames(const TrainingOptions& options) {
 
 /// Scenes never learned from. Rollouts from later starts need longer ones; the first must fit.
 void load_validation(const std::filesystem::path& folder, const TrainingPaths& paths, const PointSetOptions& points,
-                     const torch::Device& device, TrainingData& data) {
+                     double frame_rate_hz, const torch::Device& device, TrainingData& data) {
   std::vector<SceneArchive> archives = {load_scenes(folder, paths.shapes)};
   const ValidationOptions rollouts;
   data.summary += leave_out_unusable_scenes(archives.front(), 1 + 2 * kValidationStep);
-  const SceneTensors scenes = make_scene_tensors(archives, points);
+  const SceneTensors scenes = make_scene_tensors(archives, points, frame_rate_hz);
   for (const int start : rollouts.start_frames) {
     if (!scenes_reaching(scenes, start, rollouts).empty()) continue;
     const std::string sentence = "validation '" + folder.string() + "': rollouts from frame " + std::to_string(start) +
@@ -101,7 +101,7 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
     data.facts.data +=
         (data.facts.data.empty() ? "" : ", ") + archive.set + " " + std::to_string(archive.scenes.size());
   }
-  const SceneTensors tensors = make_scene_tensors(archives, options.point_sets);
+  const SceneTensors tensors = make_scene_tensors(archives, options.point_sets, options.model.frame_rate_hz);
   ContactEvents events = find_contact_events(tensors);
   summary << "training scenes: " << data.facts.data << "; contact frames: " << events.mid_air.size() << " mid-air, "
           << events.floor.size() << " floor, " << events.rolling.size() << " rolling, " << events.resting.size()
@@ -109,8 +109,9 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
   measure_ranges(tensors, data.facts);
   const auto [smallest, largest] =
       std::minmax_element(options.windows.step_sizes.begin(), options.windows.step_sizes.end());
-  data.facts.min_step_frames = options.windows.any_step_probability > 0.0 ? 1 : *smallest;
-  data.facts.max_step_frames = *largest;
+  const double unit = kFrameRateHz / options.model.frame_rate_hz;
+  data.facts.min_step_frames = unit * (options.windows.any_step_probability > 0.0 ? 1 : *smallest);
+  data.facts.max_step_frames = unit * *largest;
   data.sampler = std::make_shared<WindowSampler>(options.windows, std::move(events), tensors.object_counts(),
                                                  tensors.frame_counts());
   data.training = tensors.to(device);
@@ -119,7 +120,9 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
   validation_points.seed += 1000003;  // other surface samples than those of training
   validation_points.points_per_set = options.model.max_points;
   data.summary = summary.str();
-  for (const auto& folder : paths.validation) load_validation(folder, paths, validation_points, device, data);
+  for (const auto& folder : paths.validation) {
+    load_validation(folder, paths, validation_points, options.model.frame_rate_hz, device, data);
+  }
   return data;
 }
 

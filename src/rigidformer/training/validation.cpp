@@ -54,6 +54,7 @@ Pose roll_out(RigidFormer& model, const WindowBatch& windows, int num_steps) {
   const EngineStep engine = make_engine_step(model->options, scene, centre);
   const ContactSearch contacts = make_contact_search(model->options, scene, centre);
   for (int k = 0; k < num_steps; ++k) {
+    if (!windows.controls.empty()) scene.control = windows.controls[static_cast<size_t>(k)];
     state = advance(scene, state, model->forward(scene, state, centre, nearest_by_distance_matrix, engine, contacts));
   }
   return state.current;
@@ -116,7 +117,8 @@ OneStepScore one_step_error(RigidFormer& model, const SceneTensors& tensors, con
   model->eval();
   const WindowBatch batch =
       make_window_batch(tensors, windows, 1, model->options.num_anchors, no_augmentation(num_points));
-  const SceneBatch& scene = batch.scene;
+  SceneBatch scene = batch.scene;
+  if (!batch.controls.empty()) scene.control = batch.controls.front();
   const SceneState state{batch.poses[0], batch.poses[0], batch.poses[1]};
   const Tensor centre = model->centre_of_mass(scene, state.current);
   const StepPrediction prediction =

@@ -95,22 +95,41 @@ void store_object(SceneTensors& tensors, std::int64_t s, std::int64_t k, const R
   }
 }
 
-/// Everything that is learned counts time in frames of 1/240 s.
-void check_frame_rate(const SceneArchive& archive, const SceneRecording& scene) {
-  if (std::abs(scene.frame_rate_hz - kFrameRateHz) <= 1e-3 * kFrameRateHz) return;
+/// A model learns from recordings of one rate.
+void check_frame_rate(const SceneArchive& archive, const SceneRecording& scene, double frame_rate_hz) {
+  if (std::abs(scene.frame_rate_hz - frame_rate_hz) <= 1e-3 * frame_rate_hz) return;
   std::ostringstream text;
   text << "scene '" << scene.name << "' of set '" << archive.set << "': frame_rate is " << scene.frame_rate_hz
-       << ", training accepts " << kFrameRateHz
-       << " frames per second only: record or resample the scenes at that rate";
+       << ", training accepts " << frame_rate_hz
+       << " frames per second only (model.frame_rate_hz): record or resample the scenes at that rate";
   throw std::invalid_argument(text.str());
 }
 
+/// The commands of scene `s`; all scenes have them of one width, or none has any.
+void store_control(SceneTensors& tensors, std::int64_t s, const SceneArchive& archive, const SceneRecording& scene) {
+  const auto width = static_cast<std::int64_t>(scene.control.empty() ? 0 : scene.control.front().size());
+  if (s == 0 && width > 0) {
+    tensors.control = torch::zeros({tensors.num_scenes(), tensors.num_frames(), width});
+    tensors.control_directions = scene.control_directions;
+  }
+  const std::int64_t wanted = tensors.control.defined() ? tensors.control.size(2) : 0;
+  if (width != wanted || scene.control_directions != tensors.control_directions) {
+    throw std::invalid_argument("scene '" + scene.name + "' of set '" + archive.set + "' has commands of " +
+                                std::to_string(width) + " numbers, the first scene of " + std::to_string(wanted) +
+                                ", or other directions in them");
+  }
+  for (std::int64_t frame = 0; width > 0 && frame < tensors.num_frames(); ++frame) {
+    const std::vector<double>& command = scene.control[std::min<size_t>(frame, scene.control.size() - 1)];
+    tensors.control[s][frame] = torch::tensor(command, torch::kFloat32);
+  }
+}
+
 /// Makes the tensors of all scenes, without objects yet.
-SceneTensors allocate(const std::vector<SceneArchive>& archives) {
+SceneTensors allocate(const std::vector<SceneArchive>& archives, double frame_rate_hz) {
   std::int64_t S = 0, F = 0, K = 0;
   for (const SceneArchive& archive : archives) {
     for (const SceneRecording& scene : archive.scenes) {
-      check_frame_rate(archive, scene);
+      check_frame_rate(archive, scene, frame_rate_hz);
       F = std::max<std::int64_t>(F, scene.num_frames);
       K = std::max<std::int64_t>(K, static_cast<std::int64_t>(scene.objects.size()));
       ++S;
@@ -119,6 +138,7 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   if (S == 0) throw std::invalid_argument("no scenes to learn from: the data folders are empty");
 
   SceneTensors tensors;
+  tensors.frame_rate_hz = frame_rate_hz;
   tensors.poses = torch::zeros({S, F, K, 7});
   tensors.poses.select(-1, 6).fill_(1.0);  // identity where there is no object
   tensors.object_mask = torch::zeros({S, K}, torch::kBool);
@@ -161,7 +181,10 @@ SceneTensors SceneTensors::to(const torch::Device& device) const {
           dynamic_mask.to(device),
           properties_known.to(device),
           ground_material.to(device),
-          ground_known.to(device)};
+          ground_known.to(device),
+          control.defined() ? control.to(device) : control,
+          control_directions,
+          frame_rate_hz};
 }
 
 Tensor rotation_matrix(const Tensor& quaternion) {
@@ -175,8 +198,9 @@ Tensor rotation_matrix(const Tensor& quaternion) {
       .unflatten(-1, {3, 3});
 }
 
-SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
-  SceneTensors tensors = allocate(archives);
+SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options,
+                                double frame_rate_hz) {
+  SceneTensors tensors = allocate(archives, frame_rate_hz);
   std::vector<const Shape*> shapes;
   std::int64_t s = 0;
   for (const SceneArchive& archive : archives) {
@@ -189,6 +213,7 @@ SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const
       tensors.gravity[s] = scene.gravity.z();
       tensors.frame_count[s] = scene.num_frames;
       store_ground(tensors, s, scene.ground);
+      store_control(tensors, s, archive, scene);
       for (size_t k = 0; k < scene.objects.size(); ++k) {
         store_object(tensors, s, static_cast<std::int64_t>(k), scene.objects[k], index_of.at(scene.objects[k].shape));
       }

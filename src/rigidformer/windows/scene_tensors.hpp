@@ -18,20 +18,23 @@ using torch::Tensor;
 /// M points per set.
 struct SceneTensors {
   Tensor poses;  ///< [S, F, K, 7] x y z qx qy qz qw, T_world_object, origin = centre of mass; the last one is repeated
-  Tensor object_mask;        ///< [S, K] bool
-  Tensor shape;              ///< [S, K] int64 into Q
-  Tensor size;               ///< [S, K] scale of the shape
-  Tensor properties;         ///< [S, K, 3] mass, friction, restitution
-  Tensor gravity;            ///< [S] vertical component [m/s^2]
-  Tensor shape_points;       ///< [Q, P, M, 3] at size 1
-  Tensor shape_normals;      ///< [Q, P, M, 3] of the mesh, for what a camera sees
-  Tensor estimated_normals;  ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
-  Tensor shape_point_count;  ///< [Q, P] int64
-  Tensor frame_count;        ///< [S] int64, at most F: frames after it do not exist
-  Tensor dynamic_mask;       ///< [S, K] bool, objects that move
-  Tensor properties_known;   ///< [S, K, 3] 1 where the recording says them; others hold the means of the MOVi sets
+  Tensor object_mask;          ///< [S, K] bool
+  Tensor shape;                ///< [S, K] int64 into Q
+  Tensor size;                 ///< [S, K] scale of the shape
+  Tensor properties;           ///< [S, K, 3] mass, friction, restitution
+  Tensor gravity;              ///< [S] vertical component [m/s^2]
+  Tensor shape_points;         ///< [Q, P, M, 3] at size 1
+  Tensor shape_normals;        ///< [Q, P, M, 3] of the mesh, for what a camera sees
+  Tensor estimated_normals;    ///< [Q, P, M, 3] what estimate_normals() makes of the points, as at prediction
+  Tensor shape_point_count;    ///< [Q, P] int64
+  Tensor frame_count;          ///< [S] int64, at most F: frames after it do not exist
+  Tensor dynamic_mask;         ///< [S, K] bool, objects that move
+  Tensor properties_known;     ///< [S, K, 3] 1 where the recording says them; others hold the means of the MOVi sets
   Tensor ground_material;    ///< [S, 2] friction, restitution of the ground; 0 where unknown
   Tensor ground_known;       ///< [S, 2] 1 where the recording says them
+  Tensor control = {};         ///< [S, F, C] command that counts from each frame on; undefined = nothing is commanded
+  int control_directions = 0;  ///< So many horizontal vectors (x, y) end the command
+  double frame_rate_hz = 240.0;
 
   std::int64_t num_scenes() const { return poses.size(0); }
   std::int64_t num_frames() const { return poses.size(1); }
@@ -51,5 +54,9 @@ Tensor rotation_matrix(const Tensor& quaternion);
 
 /// Throws std::invalid_argument when there is no scene, or when one has another frame rate than kFrameRateHz.
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options);
+/// Throws std::invalid_argument when there is no scene, or when one has another frame rate than `frame_rate_hz` or
+/// commands of another width than the first.
+SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options,
+                                double frame_rate_hz = 240.0);
 
 }  // namespace rigidformer

@@ -8,6 +8,7 @@
 
 #include "rigidformer/model/centre_of_mass.hpp"
 #include "rigidformer/windows/free_motion.hpp"
+#include "rigidformer/windows/window_commands.hpp"
 
 namespace rigidformer {
 namespace {
@@ -193,6 +194,7 @@ void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const Augm
   const std::int64_t B = rows.order.size(0);
   const Tensor yaw = draw_yaw(B, options, like, random).unsqueeze(1);
   batch.poses = window_poses(tensors, rows, yaw, 0);
+  batch.controls = window_commands(tensors, rows.frame.unflatten(0, {B, -1}), yaw.squeeze(1));
   const std::vector<Pose> before = window_poses(tensors, rows, yaw, -1);
   const std::vector<Pose> earlier = window_poses(tensors, rows, yaw, -2);
   for (size_t t = 2; t < batch.poses.size(); ++t) {
@@ -279,7 +281,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   const Tensor known = random.uniform({B, 1, 1}, like) >= options.unknown_probability;
   scene.properties_known = per_object(tensors.properties_known, rows) * known;
   scene.properties = per_object(tensors.properties, rows) * known;
-  scene.step_size = rows.step_size;
+  scene.step_size = rows.step_size * (kFrameRateHz / tensors.frame_rate_hz);
   scene.ground_height = torch::zeros({B}, like);
   scene.gravity = tensors.gravity.index({rows.scene});
   draw_motion(tensors, rows, options, random, batch);

@@ -20,8 +20,9 @@ struct WindowBatch {
   std::vector<Pose> poses;  ///< 2 + num_steps poses; the first two are given
   /// [step] poses from which free motion arrives at the step's end with the true velocity there.
   std::vector<Pose> departures;
-  Tensor whole_surface;  ///< [B, K, M, 3] m, without noise and with the sides that nobody sees
-  Tensor whole_mask;     ///< [B, K, M] bool
+  std::vector<Tensor> controls;  ///< [step] commands [B, C] in whose force the step begins; empty = none
+  Tensor whole_surface;          ///< [B, K, M, 3] m, without noise and with the sides that nobody sees
+  Tensor whole_mask;             ///< [B, K, M] bool
 };
 
 /// Assembles windows on the device of `tensors`; a generator of `random` must live there too.

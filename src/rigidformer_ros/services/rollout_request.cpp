@@ -246,14 +246,15 @@ RolloutTask read_task(const Request& request, const NodeParameters& parameters, 
 
 std::string rollout_key(const Request& request) {
   namespace serialization = ros::serialization;
-  const std::uint32_t size = serialization::serializationLength(request.time_step) +
-                             serialization::serializationLength(request.scene) +
-                             serialization::serializationLength(request.previous_scene);
+  const std::uint32_t size =
+      serialization::serializationLength(request.time_step) + serialization::serializationLength(request.scene) +
+      serialization::serializationLength(request.previous_scene) + serialization::serializationLength(request.control);
   std::string bytes(size, '\0');
   serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()), size);
   serialization::serialize(stream, request.time_step);
   serialization::serialize(stream, request.scene);
   serialization::serialize(stream, request.previous_scene);
+  serialization::serialize(stream, request.control);
   return bytes;
 }
 

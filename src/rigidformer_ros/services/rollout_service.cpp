@@ -9,6 +9,7 @@
 #include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/messages/names.hpp"
 #include "rigidformer_ros/services/request_error.hpp"
+#include "rigidformer_ros/services/rollout_command.hpp"
 
 namespace rigidformer_ros {
 
@@ -131,6 +132,7 @@ std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, cons
   rigidformer::RolloutOptions options = task.settings.options;
   ObservedScene scene = read_scene(request, task.source, parameters_, options.time_step_s, sources);
   options.time_step_s = scene.time_step_s;
+  options.control = read_control(request, options.num_steps, forecaster_.model_for(scene));
   return forecaster_.begin(std::move(scene), options, ends, JobLane::kRequest);
 }
 
@@ -144,6 +146,7 @@ Response RolloutService::answer_ready(const Request& request, SharedRollout::Clo
                                             " s passed while other requests were answered");
   }
   check_scene(request, task, begun->scene, parameters_, ros::Time::now());
+  read_control(request, task.settings.options.num_steps, begun->model);  // the rollout may be that of a longer request
   task.settings.options.time_step_s = begun->scene.time_step_s;
   SceneRollout rollout{begun->scene, roll_out(begun->steps, task.settings, asked), begun->model,
                        /*trusted_horizon_s=*/0.0};
@@ -185,6 +188,7 @@ GetModelInfo::Response RolloutService::model_info() const {
   response.max_speed = info.max_speed_mps;
   response.max_objects = static_cast<std::uint32_t>(info.max_objects);
   response.max_points = static_cast<std::uint32_t>(info.max_points);
+  response.control_dim = static_cast<std::uint32_t>(info.control_dim);
   return response;
 }
 

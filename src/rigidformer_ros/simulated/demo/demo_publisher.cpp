@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "rigidformer/simulation/depth_camera.hpp"
+#include "rigidformer/simulation/scene_set.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 #include "rigidformer_ros/simulated/demo/demo_clouds.hpp"
 #include "rigidformer_ros/simulated/playback/private_parameters.hpp"
@@ -17,10 +18,8 @@
 namespace rigidformer_ros::demo {
 namespace {
 
-// [Hz] frames that generate_movi_scene() records per second: the default of BulletSettings.
+// [Hz] frames that scenes with the default of BulletSettings record per second.
 constexpr double kFrameRate = 240.0;
-// Most objects of a scene: the default of MoviOptions. So many topics are offered from the start.
-constexpr int kMaxObjects = 10;
 
 int frames_per_cloud(double cloud_rate) { return static_cast<int>(std::lround(kFrameRate / cloud_rate)); }
 
@@ -48,8 +47,12 @@ DemoParameters DemoParameters::read(const ros::NodeHandle& private_node) {
     throw std::invalid_argument("cloud_rate must be at least 1 Hz and divide 240 Hz, got " +
                                 std::to_string(p.cloud_rate));
   }
-  if (!(p.scene_duration > 0.0) || p.points_per_object < 4) {
-    throw std::invalid_argument("scene_duration must be positive and points_per_object at least 4");
+  if (!(p.scene_duration > 0.0) || (p.points_per_object < 4 && p.points_per_object != 0)) {
+    throw std::invalid_argument("scene_duration must be positive and points_per_object at least 4, or 0");
+  }
+  rigidformer::check_scene_set(p.scene_set);
+  if (rigidformer::has_commands(p.scene_set)) {
+    throw std::invalid_argument("scene_set '" + p.scene_set + "' follows commands, which topics do not carry");
   }
   if (p.hold_at >= 0.0 && !p.publish_clock) {
     throw std::invalid_argument("hold_at needs publish_clock: the system's time cannot be stopped");
@@ -62,7 +65,9 @@ DemoPublisher::DemoPublisher(ros::NodeHandle& node, const DemoParameters& parame
       parameters_(parameters),
       clock_(node, parameters.publish_clock, parameters.time_scale),
       T_camera_world_(rigidformer::look_at({7.5, -6.5, 5.3}, {0.0, 0.0, 1.0}).inverse()) {
-  for (int object = 0; object < kMaxObjects; ++object) {
+  // So many topics are offered from the start.
+  const int num_topics = rigidformer::max_num_objects(parameters.scene_set);
+  for (int object = 0; object < num_topics; ++object) {
     const std::string topic = "/objects/" + DemoScene::object_id(object) + "/points";
     object_clouds_.push_back(node_.advertise<sensor_msgs::PointCloud2>(topic, 1));
   }
@@ -76,7 +81,7 @@ void DemoPublisher::run() {
     wait_for_node(node_, clock_);
   }
   DemoSceneOptions options;
-  options.set = rigidformer::parse_movi_set(parameters_.scene_set);
+  options.set = parameters_.scene_set;
   options.seed = parameters_.seed;
   options.num_frames = static_cast<int>(std::lround(parameters_.scene_duration * kFrameRate)) + 1;
   options.points_per_object = parameters_.points_per_object;

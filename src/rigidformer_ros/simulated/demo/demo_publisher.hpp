@@ -16,13 +16,13 @@ namespace rigidformer_ros::demo {
 /// Private parameters of the publisher. A member's name is the name of its parameter; config/demo.yaml and
 /// launch/demo.launch set them.
 struct DemoParameters {
-  std::string scene_set = "movi_b";     ///< movi_sphere, movi_a or movi_b
+  std::string scene_set = "movi_b";     ///< One of rigidformer::scene_set_names()
   int seed = 1;                         ///< Seed of the scenes
   int num_scenes = 0;                   ///< Number of scenes; 0 = until shutdown
   double scene_duration = 3.0;          ///< Simulated motion per scene [s]
   double pause = 1.5;                   ///< Time without any cloud between two scenes [s]
   double cloud_rate = 30.0;             ///< Clouds per object and second [Hz]; must divide 240
-  int points_per_object = 256;          ///< Points on the whole surface of each object
+  int points_per_object = 256;          ///< Points on the whole surface of each object; 0 = the corners of its mesh
   std::string camera_frame = "camera";  ///< Frame of the clouds
   std::string fixed_frame = "world";    ///< Frame of the world, z up
   bool wait_for_node = true;            ///< Start only when the prediction node is ready

@@ -7,6 +7,7 @@
 
 #include "rigidformer/scene/surface_sampling.hpp"
 #include "rigidformer/simulation/builtin_shapes.hpp"
+#include "rigidformer/simulation/scene_set.hpp"
 
 namespace rigidformer_ros::demo {
 namespace {
@@ -19,17 +20,21 @@ const rigidformer::Shape& find_shape(const std::vector<rigidformer::Shape>& shap
   return *found;
 }
 
+rigidformer::Points surface_points(const rigidformer::Shape& shape, const DemoSceneOptions& options) {
+  if (options.points_per_object == 0) return shape.vertices();
+  return rigidformer::sample_surface(shape, options.points_per_object, options.seed).points;
+}
+
 }  // namespace
 
 DemoScene::DemoScene(const DemoSceneOptions& options) {
-  const auto shapes = rigidformer::movi_shapes(options.set, rigidformer::builtin_shapes());
+  const auto shapes = rigidformer::scene_set_shapes(options.set, rigidformer::builtin_shapes());
   rigidformer::MoviOptions movi;
   movi.num_frames = options.num_frames;
-  recording_ = rigidformer::generate_movi_scene(options.set, shapes, options.seed, options.index, movi);
+  recording_ = rigidformer::generate_scene(options.set, shapes, options.seed, options.index, movi);
   for (const auto& object : recording_.objects) {
-    const auto samples =
-        rigidformer::sample_surface(find_shape(shapes, object.shape), options.points_per_object, options.seed);
-    rigidformer::Points cloud = samples.points * static_cast<float>(object.size);
+    rigidformer::Points cloud =
+        surface_points(find_shape(shapes, object.shape), options) * static_cast<float>(object.size);
     const Eigen::RowVector3f centroid = cloud.colwise().mean();
     cloud.rowwise() -= centroid;
     clouds_.push_back(cloud);

@@ -7,17 +7,16 @@
 #include <vector>
 
 #include "rigidformer/scene/recording.hpp"
-#include "rigidformer/simulation/movi_scene.hpp"
 
 namespace rigidformer_ros::demo {
 
 /// What scene to simulate.
 struct DemoSceneOptions {
-  rigidformer::MoviSet set = rigidformer::MoviSet::kB;
+  std::string set = "movi_b";  ///< One of rigidformer::scene_set_names()
   std::uint64_t seed = 1;
   std::uint64_t index = 0;      ///< Number of the scene among those of the seed
   int num_frames = 720;         ///< Frames to simulate, 240 per second
-  int points_per_object = 256;  ///< Points on the whole surface of each object
+  int points_per_object = 256;  ///< Points on the whole surface of each object; 0 = the corners of its mesh
 };
 
 /// A simulated scene with ground truth, seen as one cloud per object: the same points in the same order in every frame.

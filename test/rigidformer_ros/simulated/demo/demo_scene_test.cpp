@@ -12,7 +12,7 @@ namespace {
 
 DemoSceneOptions small_options() {
   DemoSceneOptions options;
-  options.set = rigidformer::MoviSet::kA;
+  options.set = "movi_a";
   options.num_frames = 60;
   options.points_per_object = 50;
   return options;
@@ -29,6 +29,16 @@ TEST(DemoScene, CloudsMoveRigidlyWithTheirTruePose) {
     const Eigen::Vector3d centroid = later.cast<double>().colwise().mean();
     EXPECT_LT((centroid - scene.T_world_cloud(object, 59).translation).norm(), 1e-4);
   }
+}
+
+TEST(DemoScene, ShowsAWallOfCubesByItsCorners) {
+  DemoSceneOptions options = small_options();
+  options.set = "wrecking_ball_28";
+  options.points_per_object = 0;
+  options.num_frames = 2;
+  const DemoScene scene(options);
+  ASSERT_EQ(scene.num_objects(), 28);
+  EXPECT_EQ(scene.cloud_world(0, 0).rows(), 8);
 }
 
 TEST(DemoScene, EveryNumberMakesAnotherScene) {
