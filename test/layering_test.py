@@ -16,12 +16,13 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # From the lowest to the highest. The layer `predictor` is the files of FACADE.
 LAYERS = ['io', 'geometry', 'scene', 'data', 'simulation', 'tracking', 'model', 'engine', 'predictor', 'windows',
           'training', 'evaluation', 'baselines']
-FACADE = {'predictor', 'rollout', 'network_rollout', 'usable_rollout'}
+FACADE = {'predictor', 'rollout', 'candidates', 'candidate_batch', 'candidate_objects', 'network_rollout',
+          'perceived_objects', 'rollout_world', 'stop_rules', 'usable_rollout', 'world_contacts'}
 ROOMS = ['messages', 'parameters', 'forecast', 'health', 'inputs', 'services', 'outputs', 'node', 'simulated']
 SIMULATED = ['playback', 'demo', 'camera', 'accuracy']
 
 # What a robot's own project compiles against has to stay small enough to read.
-MAX_PUBLIC_HEADERS = 45
+MAX_PUBLIC_HEADERS = 47
 
 LIBRARIES = {
     'ROS': re.compile(r'(ros|tf2?|tf2_\w+|\w+_msgs|std_srvs|message_filters|nodelet|pluginlib|dynamic_reconfigure|'

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rigidformer/candidates.hpp"
 #include "rigidformer/rollout.hpp"
 #include "rigidformer/scene/object.hpp"
 #include "rigidformer/scene/rollout_options.hpp"
@@ -39,6 +40,8 @@ struct ModelInfo {
   int max_objects = 0;                                  ///< Most objects per call
   int max_points = 0;   ///< Points per object that the network looks at; more are thinned
   int control_dim = 0;  ///< Numbers of the command that every step needs (App. I); 0 = none
+  /// Steps of a scene of ten objects per second and thread, by Fidelity, as measured by warm_up(); 0 = not measured
+  double model_steps_per_s = 0.0, engine_steps_per_s = 0.0;
 };
 
 /// Loads a RigidFormer checkpoint and rolls scenes out. Torch stays hidden behind the implementation.
@@ -67,6 +70,14 @@ class Predictor {
   /// advance(). Throws what predict() throws.
   virtual std::unique_ptr<Rollout> start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout);
 
+  /// Begins the rollouts of many candidates of one scene, which is perceived once. The outcome of a candidate without
+  /// changes is the forecast of start(), to the byte. Throws what start() throws for the scene and for what holds for
+  /// all candidates; what is wrong with one of them is told in its outcome. Throws std::invalid_argument for a scene
+  /// without objects, and std::runtime_error for Fidelity::kEngine where Bullet was not there at build time.
+  virtual std::unique_ptr<BatchRollout> start_batch(const std::vector<ObjectState>& objects,
+                                                    const std::vector<Candidate>& candidates,
+                                                    const BatchOptions& options);
+
   virtual const ModelInfo& info() const;
 
  protected:
@@ -74,6 +85,8 @@ class Predictor {
 
  private:
   struct Impl;
+  double steps_per_s(Fidelity fidelity);
+
   std::unique_ptr<Impl> impl_;
 };
 

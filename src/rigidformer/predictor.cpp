@@ -3,8 +3,12 @@
 #include "rigidformer/predictor.hpp"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "rigidformer/candidate_batch.hpp"
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/checkpoint.hpp"
 #include "rigidformer/model/command.hpp"
 #include "rigidformer/model/device.hpp"
@@ -16,15 +20,24 @@ namespace rigidformer {
 namespace {
 
 constexpr int kMaxObjects = 256;             // per call; as many as position_encoding.cpp can number
+constexpr int kMeasuredObjects = 10;         // of the scene that tells the steps per second
+constexpr int kMeasuredSteps = 24;           // of it at most; chosen by eye
+constexpr double kMeasuringBudget_s = 0.3;   // for each fidelity; chosen by eye
 constexpr double kTimeStepTolerance = 1e-6;  // [s] a time step rounded to microseconds is still in range
 
-/// Two clouds that fall: a scene to warm up with.
-std::vector<ObjectState> warm_up_scene() {
-  std::vector<ObjectState> objects(2);
+/// A command for models that want one; empty for others.
+std::vector<std::vector<double>> no_command(const ModelInfo& info) {
+  if (info.control_dim == 0) return {};
+  return {std::vector<double>(static_cast<size_t>(info.control_dim), 0.0)};
+}
+
+/// Clouds that fall: a scene to warm up with.
+std::vector<ObjectState> warm_up_scene(int num_objects) {
+  std::vector<ObjectState> objects(static_cast<size_t>(num_objects));
   for (size_t i = 0; i < objects.size(); ++i) {
     objects[i].id = "warm_up_" + std::to_string(i);
-    objects[i].points_reference = Points::Random(128, 3);
-    objects[i].T_world_current.translation = {3.0 * static_cast<double>(i), 0.0, 3.0};
+    objects[i].points_reference = Points::Random(256, 3);
+    objects[i].T_world_current.translation = {3.0 * static_cast<double>(i / 2), 0.0, 1.0 + 2.0 * (i % 2)};
     objects[i].T_world_previous = objects[i].T_world_current;
   }
   return objects;
@@ -64,6 +77,7 @@ struct Predictor::Impl {
   void check(const RolloutOptions& rollout) const;
   void ask_model(const ModelOptions& model);
   void describe();
+  StepMaker step_maker() const { return {checkpoint.model, {options.rest_speed, options.rest_spin}}; }
 
   PredictorOptions options;
   torch::Device device{torch::kCPU};
@@ -157,8 +171,23 @@ void Predictor::warm_up() {
   RolloutOptions rollout;
   rollout.num_steps = 2;
   rollout.time_step_s = impl_->info.max_time_step_s;
-  if (impl_->info.control_dim > 0) rollout.control.emplace_back(static_cast<size_t>(impl_->info.control_dim), 0.0);
-  for (int run = 0; run < impl_->options.warmup_runs; ++run) predict(warm_up_scene(), rollout);
+  rollout.control = no_command(impl_->info);
+  for (int run = 0; run < impl_->options.warmup_runs; ++run) predict(warm_up_scene(2), rollout);
+  if (impl_->options.warmup_runs == 0) return;
+  impl_->info.model_steps_per_s = steps_per_s(Fidelity::kModel);
+  if (has_physics_engine()) impl_->info.engine_steps_per_s = steps_per_s(Fidelity::kEngine);
+}
+
+double Predictor::steps_per_s(Fidelity fidelity) {
+  BatchOptions options;
+  options.rollout.num_steps = kMeasuredSteps;
+  options.rollout.time_step_s = impl_->info.max_time_step_s;
+  options.rollout.control = no_command(impl_->info);
+  options.fidelity = fidelity;
+  const auto rollout = start_batch(warm_up_scene(kMeasuredObjects), {Candidate()}, options);
+  rollout->advance(kMeasuringBudget_s);
+  const Forecast& forecast = rollout->outcomes().front().forecast;
+  return static_cast<double>(forecast.times_s.size() - 1) / forecast.compute_time_s;
 }
 
 Forecast Predictor::predict(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
@@ -168,11 +197,37 @@ Forecast Predictor::predict(const std::vector<ObjectState>& objects, const Rollo
 std::unique_ptr<Rollout> Predictor::start(const std::vector<ObjectState>& objects, const RolloutOptions& rollout) {
   impl_->check(rollout);
   if (objects.empty()) return std::make_unique<EmptyRollout>(rollout.time_step_s);
-  const PredictorOptions& options = impl_->options;
+  const int max_points = impl_->options.max_points;
   return start_usable(objects, impl_->info.max_objects, [&](const std::vector<ObjectState>& usable) {
-    return std::make_unique<NetworkRollout>(impl_->checkpoint.model, impl_->device, options.max_points,
-                                            RestLimits{options.rest_speed, options.rest_spin}, usable, rollout);
+    return std::make_unique<NetworkRollout>(impl_->step_maker(), impl_->device, max_points, usable, rollout);
   });
+}
+
+std::unique_ptr<BatchRollout> Predictor::start_batch(const std::vector<ObjectState>& objects,
+                                                     const std::vector<Candidate>& candidates,
+                                                     const BatchOptions& options) {
+  if (!impl_) throw std::runtime_error("this predictor knows no candidates");  // a test double
+  impl_->check(options.rollout);
+  const Perceive perceive_objects = [&](const std::vector<ObjectState>& some) {
+    c10::InferenceMode inference;
+    return perceive(impl_->checkpoint.model, impl_->device, impl_->options.max_points, some, options.rollout);
+  };
+  std::vector<ObjectState> usable;
+  std::optional<PerceivedObjects> scene;
+  const auto reasons = take_usable(objects, impl_->info.max_objects, [&](const std::vector<ObjectState>& some) {
+    usable = some;
+    scene = perceive_objects(some);
+  });
+  if (options.fidelity == Fidelity::kEngine && !has_physics_engine()) {
+    throw std::runtime_error("the physics engine is not built in: install libbullet-dev and build again");
+  }
+  std::vector<ObjectTrajectory> unusable;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (!reasons[k]) continue;
+    unusable.push_back({objects[k].id, ObjectTrajectory::Status::kUnusable, {objects[k].T_world_current}, *reasons[k]});
+  }
+  return std::make_unique<CandidateBatch>(impl_->step_maker(), perceive_objects, std::move(*scene), std::move(usable),
+                                          std::move(unusable), candidates, options, impl_->info.max_objects);
 }
 
 }  // namespace rigidformer

@@ -71,10 +71,19 @@ class PartialRollout : public Rollout {
     forecast_.compute_time_s = usable.compute_time_s;
     for (ObjectTrajectory& object : forecast_.objects) object.poses.resize(usable.times_s.size(), object.poses.front());
     for (size_t i = 0; i < indices_.size(); ++i) forecast_.objects[indices_[i]] = usable.objects[i];
+    forecast_.contacts = usable.contacts;
+    for (StepContact& contact : forecast_.contacts) {
+      contact.object_a = index_of(contact.object_a);
+      contact.object_b = index_of(contact.object_b);
+    }
     return forecast_;
   }
 
  private:
+  int index_of(int usable) const {
+    return usable < 0 ? usable : static_cast<int>(indices_[static_cast<size_t>(usable)]);
+  }
+
   std::unique_ptr<Rollout> usable_;
   std::vector<size_t> indices_;  ///< Of its objects in the scene
   Forecast forecast_;
@@ -82,21 +91,29 @@ class PartialRollout : public Rollout {
 
 }  // namespace
 
-std::unique_ptr<Rollout> start_usable(const std::vector<ObjectState>& objects, int max_objects,
-                                      const StartRollout& start) {
+Objections take_usable(const std::vector<ObjectState>& objects, int max_objects, const TakeUsable& take) {
   Objections objections = find_objections(objects, max_objects);
   while (true) {
     const std::vector<size_t> indices = usable_indices(objections);
     if (indices.empty()) refuse(objects, objections);
+    std::vector<ObjectState> usable;
+    for (const size_t k : indices) usable.push_back(objects[k]);
     try {
-      if (indices.size() == objects.size()) return start(objects);
-      std::vector<ObjectState> usable;
-      for (const size_t k : indices) usable.push_back(objects[k]);
-      return std::make_unique<PartialRollout>(start(usable), objects, objections);
+      take(usable);
+      return objections;
     } catch (const BodyError& error) {
       objections[indices.at(static_cast<size_t>(error.object()))] = error.what();
     }
   }
+}
+
+std::unique_ptr<Rollout> start_usable(const std::vector<ObjectState>& objects, int max_objects,
+                                      const StartRollout& start) {
+  std::unique_ptr<Rollout> rollout;
+  const Objections objections =
+      take_usable(objects, max_objects, [&](const std::vector<ObjectState>& usable) { rollout = start(usable); });
+  const bool all_usable = usable_indices(objections).size() == objects.size();
+  return all_usable ? std::move(rollout) : std::make_unique<PartialRollout>(std::move(rollout), objects, objections);
 }
 
 }  // namespace rigidformer

@@ -38,6 +38,28 @@ struct BodyState {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< Angular velocity in world [rad/s]
 };
 
+/// A shape made ready for collisions. Worlds only read it, so that any number of bodies in any number of worlds and
+/// threads may share one: making it takes longer than simulating a body for many steps.
+class CollisionShape {
+ public:
+  /// `shape` scaled by `size`. Throws std::invalid_argument for a shape without parts and a size that is not positive.
+  CollisionShape(const Shape& shape, double size, double hull_margin_m = BulletSettings().hull_margin_m);
+  ~CollisionShape();
+  CollisionShape(CollisionShape&&) noexcept;
+
+ private:
+  friend class BulletWorld;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Two bodies that pressed on each other within one frame.
+struct PressedBodies {
+  int body_a = 0;
+  int body_b = -1;                 ///< -1 = the floor
+  double normal_impulse_Ns = 0.0;  ///< Sum over all contact points and solver steps of the frame
+};
+
 /// Rigid bodies above the floor plane z = 0, stepped frame by frame. A world is not thread safe; worlds
 /// are independent of each other.
 class BulletWorld {
@@ -51,8 +73,11 @@ class BulletWorld {
   /// std::invalid_argument naming what is missing or not positive.
   int add_body(const Shape& shape, double size, const BodyProperties& properties, const BodyState& state);
 
+  int add_body(std::shared_ptr<const CollisionShape> shape, const BodyProperties& properties, const BodyState& state);
+
   /// Adds a body that keeps its velocity: nothing can push it, and gravity does not act on it. Its mass is not read.
   int add_driven_body(const Shape& shape, double size, BodyProperties properties, const BodyState& state);
+  int add_driven_body(std::shared_ptr<const CollisionShape> shape, BodyProperties properties, const BodyState& state);
 
   /// Removes the body added last.
   void remove_last_body();
@@ -66,6 +91,9 @@ class BulletWorld {
 
   /// Advances the world by one frame.
   void step_frame();
+
+  /// The pairs that pressed on each other within the last frame, in the order in which they met.
+  const std::vector<PressedBodies>& pressed() const;
 
  private:
   struct Impl;

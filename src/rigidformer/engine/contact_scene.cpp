@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "rigidformer/simulation/hull_distance.hpp"
 #include "rigidformer/simulation/mesh_volume.hpp"
@@ -27,23 +28,17 @@ double nearest_pass(const Eigen::Vector3d& start, const Eigen::Vector3d& step) {
 
 }  // namespace
 
-struct ContactScene::Body {
-  ObservedSolid solid;
-  double radius_m;
-  SolidHull shape;
-};
-
 /// Free motion of a body during a step: constant velocity and spin.
 struct ContactScene::Motion {
-  const Body* body;
+  const ObservedSolid* body;
   Eigen::Quaterniond rotation;         ///< Now
   Eigen::Vector3d centre, step, turn;  ///< Where the centre is, how far it goes [m], and the rotation vector [rad]
 
-  Motion(const Body& moved, const RigidTransform& from, const RigidTransform& to)
+  Motion(const ObservedSolid& moved, const RigidTransform& from, const RigidTransform& to)
       : body(&moved),
         rotation(from.rotation),
-        centre(from * moved.solid.centre_reference),
-        step(to * moved.solid.centre_reference - centre),
+        centre(from * moved.centre_reference),
+        step(to * moved.centre_reference - centre),
         turn(rotation_vector(to.rotation * from.rotation.conjugate())) {}
 
   RigidTransform at(double fraction) const {
@@ -53,40 +48,30 @@ struct ContactScene::Motion {
   double sweep() const { return turn.norm() * body->radius_m; }
 };
 
-ContactScene::ContactScene(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b)
-    : scene_(b), ground_height_m_(batch.ground_height[b].item<double>()) {
-  for (ObservedSolid& solid : observe_solids(batch, centre_reference, b)) {
-    const double radius_m = static_cast<double>(solid.hull.vertices.rowwise().norm().maxCoeff());
-    SolidHull shape(solid.hull);
-    bodies_.push_back({std::move(solid), radius_m, std::move(shape)});
-  }
-}
-
-ContactScene::~ContactScene() = default;
-ContactScene::ContactScene(ContactScene&&) noexcept = default;
+ContactScene::ContactScene(std::vector<ObservedSolid> solids, std::int64_t scene, double ground_height_m)
+    : scene_(scene), ground_height_m_(ground_height_m), bodies_(std::move(solids)) {}
 
 void ContactScene::describe_bodies(Tensor& mass, Tensor& inverse_inertia) const {
-  for (const Body& body : bodies_) {
-    const std::int64_t k = body.solid.object;
-    const std::int64_t row = scene_ * mass.size(1) + k;
-    mass.data_ptr<double>()[row] = *body.solid.properties.mass_kg;
-    const Eigen::Matrix3d inverse = inertia_per_mass(body.solid.hull).inverse();  // symmetric
+  for (const ObservedSolid& body : bodies_) {
+    const std::int64_t row = scene_ * mass.size(1) + body.object;
+    mass.data_ptr<double>()[row] = *body.properties.mass_kg;
+    const Eigen::Matrix3d inverse = inertia_per_mass(*body.hull).inverse();  // symmetric
     std::copy(inverse.data(), inverse.data() + 9, inverse_inertia.data_ptr<double>() + 9 * row);
   }
 }
 
 std::vector<FoundContact> ContactScene::search(const PoseTable& from, const PoseTable& to) const {
   std::vector<Motion> motions;
-  for (const Body& body : bodies_) {
-    const RigidTransform start = from.get(scene_, body.solid.object), end = to.get(scene_, body.solid.object);
+  for (const ObservedSolid& body : bodies_) {
+    const RigidTransform start = from.get(scene_, body.object), end = to.get(scene_, body.object);
     if (is_valid(start) && is_valid(end)) motions.emplace_back(body, start, end);  // a lost body meets nothing
   }
   std::vector<FoundContact> found;
   for (std::size_t a = 0; a < motions.size(); ++a) {
-    const bool moves = motions[a].body->solid.dynamic;
+    const bool moves = motions[a].body->dynamic;
     if (moves) meet_ground(motions[a], found);
     for (std::size_t b = 0; b < a; ++b) {
-      if (moves || motions[b].body->solid.dynamic) meet_each_other(motions[a], motions[b], found);
+      if (moves || motions[b].body->dynamic) meet_each_other(motions[a], motions[b], found);
     }
   }
   return found;
@@ -98,14 +83,14 @@ void ContactScene::meet_each_other(const Motion& a, const Motion& b, std::vector
   const double reach = a.body->radius_m + b.body->radius_m + kReach_m;
   if (nearest_pass(a.centre - b.centre, a.step - b.step) > reach) return;
   const auto closest_at = [&](double fraction) {
-    return closest_points(a.body->shape, a.at(fraction), b.body->shape, b.at(fraction));
+    return closest_points(*a.body->distances, a.at(fraction), *b.body->distances, b.at(fraction));
   };
   const auto tell = [&](const ClosestPoints& closest, double fraction) {
     const Eigen::Vector3d on_a = closest.on_a - a.at(fraction).translation;
     const Eigen::Vector3d on_b = closest.on_b - b.at(fraction).translation;
-    const std::int64_t k_a = a.body->solid.object, k_b = b.body->solid.object;
-    if (a.body->solid.dynamic) found.push_back({k_a, k_b, on_a, on_b, closest.normal, fraction, closest.gap_m});
-    if (b.body->solid.dynamic) found.push_back({k_b, k_a, on_b, on_a, -closest.normal, fraction, closest.gap_m});
+    const std::int64_t k_a = a.body->object, k_b = b.body->object;
+    if (a.body->dynamic) found.push_back({k_a, k_b, on_a, on_b, closest.normal, fraction, closest.gap_m});
+    if (b.body->dynamic) found.push_back({k_b, k_a, on_b, on_a, -closest.normal, fraction, closest.gap_m});
   };
 
   double fraction = 0.0;
@@ -132,7 +117,7 @@ void ContactScene::meet_each_other(const Motion& a, const Motion& b, std::vector
 void ContactScene::meet_ground(const Motion& motion, std::vector<FoundContact>& found) const {
   const double lowest_centre = motion.centre.z() + std::min(motion.step.z(), 0.0) - ground_height_m_;
   if (lowest_centre > motion.body->radius_m + kReach_m) return;
-  const Points& corners = motion.body->solid.hull.vertices;
+  const Points& corners = motion.body->hull->vertices;
   const Points before = motion.at(0.0).apply(corners), after = motion.at(1.0).apply(corners);
   const auto ground = static_cast<float>(ground_height_m_);
   const Eigen::VectorXf h0 = before.col(2).array() - ground, h1 = after.col(2).array() - ground;
@@ -152,7 +137,7 @@ void ContactScene::meet_ground(const Motion& motion, std::vector<FoundContact>& 
     const Eigen::Vector3d point = T.rotation * corners.row(next).transpose().cast<double>();
     const double gap_m = T.translation.z() + point.z() - ground_height_m_;
     found.push_back(
-        {motion.body->solid.object, -1, point, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), fraction, gap_m});
+        {motion.body->object, -1, point, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), fraction, gap_m});
     apart = apart.cwiseMin((corners.rowwise() - corners.row(next)).rowwise().norm());
     float farthest = static_cast<float>(kApart * motion.body->radius_m);
     bool more = false;

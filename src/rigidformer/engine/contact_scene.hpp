@@ -19,10 +19,8 @@ struct FoundContact {
 /// The objects of one scene as convex hulls, among which contacts are searched. Only geometry: nothing moves by it.
 class ContactScene {
  public:
-  /// Scene `b` of a batch; centre_reference [B, K, 3] in double precision; all on the CPU. Throws BodyError.
-  ContactScene(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b);
-  ~ContactScene();
-  ContactScene(ContactScene&&) noexcept;
+  /// The bodies of scene number `scene` of a batch.
+  ContactScene(std::vector<ObservedSolid> solids, std::int64_t scene, double ground_height_m);
 
   /// The contacts of a step between two poses of every object.
   std::vector<FoundContact> search(const PoseTable& from, const PoseTable& to) const;
@@ -31,7 +29,6 @@ class ContactScene {
   void describe_bodies(Tensor& mass, Tensor& inverse_inertia) const;
 
  private:
-  struct Body;
   struct Motion;
 
   void meet_each_other(const Motion& a, const Motion& b, std::vector<FoundContact>& found) const;
@@ -39,7 +36,7 @@ class ContactScene {
 
   std::int64_t scene_;
   double ground_height_m_;
-  std::vector<Body> bodies_;
+  std::vector<ObservedSolid> bodies_;
 };
 
 }  // namespace rigidformer

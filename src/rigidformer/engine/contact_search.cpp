@@ -56,20 +56,16 @@ class ContactRows {
   std::vector<double> numbers_;
 };
 
-}  // namespace
+using Solids = std::vector<std::vector<ObservedSolid>>;  // of every scene
 
-ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch& batch,
-                                  const Tensor& centre_reference) {
-  if (!options.contact_tokens) return {};
-  torch::NoGradGuard no_grad;
+ContactSearch search_among(const SceneBatch& batch, const Solids& solids) {
   const auto scenes = std::make_shared<std::vector<ContactScene>>();
-  const SceneBatch scene_batch = batch.to(torch::kCPU);  // one transfer per tensor instead of one per number
-  const Tensor centre = centre_reference.to(torch::kCPU, torch::kFloat64);
   const std::int64_t B = batch.num_scenes(), K = batch.max_objects();
+  const Tensor ground_height = batch.ground_height.to(torch::kCPU, torch::kFloat64);
   Tensor mass = torch::ones({B, K}, torch::kFloat64);
   Tensor inverse_inertia = torch::zeros({B, K, 3, 3}, torch::kFloat64);
   for (std::int64_t b = 0; b < B; ++b) {
-    scenes->emplace_back(scene_batch, centre, b);
+    scenes->emplace_back(solids[static_cast<size_t>(b)], b, ground_height[b].item<double>());
     scenes->back().describe_bodies(mass, inverse_inertia);
   }
   mass = mass.to(batch.points_reference.options());
@@ -94,11 +90,34 @@ ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch&
   };
 }
 
+}  // namespace
+
+ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch& batch,
+                                  const Tensor& centre_reference) {
+  if (!options.contact_tokens) return {};
+  torch::NoGradGuard no_grad;
+  const SceneBatch scene_batch = batch.to(torch::kCPU);  // one transfer per tensor instead of one per number
+  const Tensor centre = centre_reference.to(torch::kCPU, torch::kFloat64);
+  Solids solids;
+  for (std::int64_t b = 0; b < batch.num_scenes(); ++b) solids.push_back(observe_solids(scene_batch, centre, b));
+  return search_among(batch, solids);
+}
+
+ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch& batch,
+                                  const std::vector<ObservedSolid>& solids) {
+  return options.contact_tokens ? search_among(batch, {solids}) : ContactSearch();
+}
+
 #else
 
 ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch&, const Tensor&) {
   if (!options.contact_tokens) return {};
   throw std::runtime_error("this model searches for contacts with Bullet: install libbullet-dev and build again");
+}
+
+ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch& batch,
+                                  const std::vector<ObservedSolid>&) {
+  return make_contact_search(options, batch, Tensor());
 }
 
 #endif

@@ -14,4 +14,8 @@ namespace rigidformer {
 /// the search and Bullet was not there at build time.
 ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch& batch, const Tensor& centre_reference);
 
+/// The same for a batch of one scene whose bodies are made already.
+ContactSearch make_contact_search(const ModelOptions& options, const SceneBatch& batch,
+                                  const std::vector<ObservedSolid>& solids);
+
 }  // namespace rigidformer

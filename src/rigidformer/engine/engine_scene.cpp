@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine_scene.hpp"
 
-#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "rigidformer/simulation/observed_motion.hpp"
 
 namespace rigidformer {
 namespace {
 
-constexpr double kCarriedSpeed_mps = 0.3;  // vertical, below which what touches the ground lies or rolls
 constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point, above which a body is not about to tip
 
 double value(const Tensor& tensor) { return tensor.item<double>(); }
@@ -31,58 +30,94 @@ bool is_finite(const BodyState& state) {
 
 }  // namespace
 
-EngineScene::EngineScene(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b)
+EngineScene::EngineScene(const SceneBatch& batch, std::vector<ObservedSolid> solids, std::int64_t b)
     : scene_(b),
       time_step_s_(value(batch.step_size[b]) / kFrameRateHz),
       gravity_(value(batch.gravity[b])),
       ground_height_m_(value(batch.ground_height[b])),
-      world_(observed_world(time_step_s_, gravity_, known_ground(batch, b))) {
-  const std::vector<ObservedSolid> solids = observe_solids(batch, centre_reference, b);
+      world_(observed_world(time_step_s_, gravity_, known_ground(batch, b))),
+      bodies_(std::move(solids), 0.0) {
   double total_mass_kg = 0.0;
-  for (const ObservedSolid& solid : solids) total_mass_kg += *solid.properties.mass_kg;
+  for (const ObservedSolid& solid : bodies_.solids()) total_mass_kg += *solid.properties.mass_kg;
   // Only ratios of masses matter to the motion, but the solver's tolerances are meant for masses of about 1 kg.
-  const double mass_unit_kg = total_mass_kg / static_cast<double>(solids.size());
-  for (const ObservedSolid& solid : solids) add_body(solid, mass_unit_kg);
+  mass_unit_kg_ = total_mass_kg / static_cast<double>(bodies_.solids().size());
+  for (const ObservedSolid& solid : bodies_.solids()) add_body(solid);
 }
 
-void EngineScene::add_body(const ObservedSolid& solid, double mass_unit_kg) {
-  const Shape shape{"", 1.0, {solid.hull}};
+void EngineScene::add_body(const ObservedSolid& solid) {
   BodyProperties properties = solid.properties;
-  *properties.mass_kg /= mass_unit_kg;
+  *properties.mass_kg /= mass_unit_kg_;
   if (solid.dynamic) {
-    world_.add_body(shape, 1.0, properties, {});
+    world_.add_body(solid.shape, properties, {});
   } else {
-    world_.add_driven_body(shape, 1.0, properties, {});
+    world_.add_driven_body(solid.shape, properties, {});
   }
-  bodies_.push_back({solid.object, solid.dynamic, solid.centre_reference, solid.hull.vertices, solid.fully_known});
 }
 
-void EngineScene::step(PoseTable& previous, PoseTable& current, Tensor& certain) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Body& body = bodies_[i];
-    const BodyState state = observe(body, previous.get(scene_, body.object), current.get(scene_, body.object));
-    world_.set_state(static_cast<int>(i), state);
-    certain[scene_][body.object] = is_certain(body, state);
+void EngineScene::step(const EngineStepPoses& poses, Tensor& certain) {
+  const std::vector<ObservedSolid>& bodies = bodies_.solids();
+  const std::vector<BodyState> states = observe(poses);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    world_.set_state(static_cast<int>(i), states[i]);
+    certain[scene_][bodies[i].object] = is_certain(bodies[i], states[i]);
   }
   world_.step_frame();
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Body& body = bodies_[i];
-    const BodyState arrived = world_.state(static_cast<int>(i));
-    if (!is_finite(arrived)) continue;  // the object stays where it is
-    previous.set(scene_, body.object, from_ground(body, departure(body, arrived)));
-    current.set(scene_, body.object, from_ground(body, arrived.T_world_object));
+  std::vector<BodyState> arrived;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyState state = world_.state(static_cast<int>(i));
+    arrived.push_back(is_finite(state) ? state : states[i]);
+  }
+  const std::vector<bool> falls = fall(arrived);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!is_finite(world_.state(static_cast<int>(i)))) continue;  // the object stays where it is
+    poses.previous.set(scene_, bodies[i].object, from_ground(bodies[i], departure(arrived[i], falls[i])));
+    poses.current.set(scene_, bodies[i].object, from_ground(bodies[i], arrived[i].T_world_object));
   }
 }
 
-BodyState EngineScene::observe(const Body& body, const RigidTransform& before, const RigidTransform& now) const {
-  BodyState state = mean_motion(on_ground(body, before), on_ground(body, now), time_step_s_);
-  if (falls(body, state)) state.velocity.z() += fall_before_step();
-  return state;
+std::vector<PressedPair> EngineScene::pressed() const {
+  const auto object = [&](int body) { return body < 0 ? -1 : bodies_.solids()[static_cast<std::size_t>(body)].object; };
+  std::vector<PressedPair> pairs;
+  for (const PressedBodies& pair : world_.pressed()) {
+    pairs.push_back({scene_, object(pair.body_a), object(pair.body_b), pair.normal_impulse_Ns * mass_unit_kg_});
+  }
+  return pairs;
 }
 
-RigidTransform EngineScene::departure(const Body& body, const BodyState& arrived) const {
+/// What is given already has the velocity with which it comes to its next pose.
+std::vector<BodyState> EngineScene::observe(const EngineStepPoses& poses) const {
+  std::vector<BodyState> states;
+  for (const ObservedSolid& body : bodies_.solids()) {
+    const RigidTransform now = on_ground(body, poses.current.get(scene_, body.object));
+    if (body.dynamic) {
+      states.push_back(mean_motion(on_ground(body, poses.previous.get(scene_, body.object)), now, time_step_s_));
+    } else {
+      states.push_back(mean_motion(now, on_ground(body, poses.coming.get(scene_, body.object)), time_step_s_));
+      states.back().T_world_object = now;
+    }
+  }
+  const std::vector<bool> falls = fall(states);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (falls[i]) states[i].velocity.z() += fall_before_step();
+  }
+  return states;
+}
+
+std::vector<bool> EngineScene::fall(const std::vector<BodyState>& states) const {
+  std::vector<RigidTransform> T_ground_body;
+  std::vector<double> rising_mps;
+  for (const BodyState& state : states) {
+    T_ground_body.push_back(state.T_world_object);
+    rising_mps.push_back(state.velocity.z());
+  }
+  std::vector<bool> falls = bodies_.carried(T_ground_body, rising_mps);
+  for (std::size_t i = 0; i < falls.size(); ++i) falls[i] = bodies_.solids()[i].dynamic && !falls[i];
+  return falls;
+}
+
+RigidTransform EngineScene::departure(const BodyState& arrived, bool falls) const {
   Eigen::Vector3d velocity = arrived.velocity;
-  if (falls(body, arrived)) velocity.z() -= fall_before_step();
+  if (falls) velocity.z() -= fall_before_step();
   const Eigen::Quaterniond back = rotation_about(-time_step_s_ * arrived.angular_velocity);
   return {back * arrived.T_world_object.rotation, arrived.T_world_object.translation - velocity * time_step_s_};
 }
@@ -94,23 +129,16 @@ double EngineScene::fall_before_step() const {
 }
 
 /// Whether something keeps still or tips over depends on the few points it stands on, which a sampled hull misses.
-bool EngineScene::is_certain(const Body& body, const BodyState& state) {
-  const double radius = static_cast<double>(body.hull.rowwise().norm().maxCoeff());
-  return body.fully_known && state.velocity.norm() + radius * state.angular_velocity.norm() > kCertainSpeed_mps;
+bool EngineScene::is_certain(const ObservedSolid& body, const BodyState& state) {
+  return body.fully_known && state.velocity.norm() + body.radius_m * state.angular_velocity.norm() > kCertainSpeed_mps;
 }
 
-bool EngineScene::falls(const Body& body, const BodyState& state) const {
-  const bool carried =
-      std::abs(state.velocity.z()) < kCarriedSpeed_mps && touches_floor(body.hull, state.T_world_object);
-  return body.dynamic && !carried;
-}
-
-RigidTransform EngineScene::on_ground(const Body& body, const RigidTransform& T_world_reference) const {
+RigidTransform EngineScene::on_ground(const ObservedSolid& body, const RigidTransform& T_world_reference) const {
   return {T_world_reference.rotation,
           T_world_reference * body.centre_reference - Eigen::Vector3d(0.0, 0.0, ground_height_m_)};
 }
 
-RigidTransform EngineScene::from_ground(const Body& body, RigidTransform T_ground_body) const {
+RigidTransform EngineScene::from_ground(const ObservedSolid& body, RigidTransform T_ground_body) const {
   T_ground_body.translation.z() += ground_height_m_;
   T_ground_body.translation -= T_ground_body.rotation * body.centre_reference;
   return T_ground_body;

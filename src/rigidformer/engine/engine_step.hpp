@@ -14,4 +14,14 @@ namespace rigidformer {
 /// std::runtime_error when the model needs an engine and none was there at build time.
 EngineStep make_engine_step(const ModelOptions& options, const SceneBatch& batch, const Tensor& centre_reference);
 
+/// Whether Bullet was there at build time.
+bool has_physics_engine();
+
+/// The bodies of a batch of one scene, for make_engine_step(), make_contact_search() and SolidScene; none where Bullet
+/// was not there at build time. Throws BodyError.
+std::vector<ObservedSolid> make_solids(const SceneBatch& batch, const Tensor& centre_reference);
+
+/// The same for a batch of one scene whose bodies are made already, whatever the model.
+EngineStep make_engine_step(const SceneBatch& batch, const std::vector<ObservedSolid>& solids);
+
 }  // namespace rigidformer

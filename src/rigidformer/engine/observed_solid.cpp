@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "rigidformer/engine/observed_hull.hpp"
@@ -67,17 +68,26 @@ ObservedSolid observe_solid(const SceneBatch& batch, const Tensor& centre_refere
   if (!observed.centre_of_mass.allFinite() || !(observed.volume_m3 > 0.0)) {
     throw std::invalid_argument("the hull of its points has no volume");
   }
-  const BodyProperties known = known_properties(batch, b, k);
-  const bool material_known = known.mass_kg && known.friction && known.restitution;
-  return {k,
-          element<bool>(batch.dynamic_mask, {b, k}),
-          observed.hull,
-          observed.centre_of_mass,
-          with_means(known, observed.volume_m3),
-          observed.complete && material_known};
+  ObservedSolid solid;
+  solid.hull = std::make_shared<ConvexPart>(observed.hull);
+  solid.distances = std::make_shared<SolidHull>(observed.hull);
+  solid.shape = std::make_shared<CollisionShape>(Shape{"", 1.0, {observed.hull}}, 1.0);
+  solid.volume_m3 = observed.volume_m3;
+  solid.radius_m = static_cast<double>(observed.hull.vertices.rowwise().norm().maxCoeff());
+  solid.complete = observed.complete;
+  solid.centre_reference = observed.centre_of_mass;
+  return with_role(std::move(solid), k, element<bool>(batch.dynamic_mask, {b, k}), known_properties(batch, b, k));
 }
 
 }  // namespace
+
+ObservedSolid with_role(ObservedSolid solid, std::int64_t object, bool dynamic, const BodyProperties& known) {
+  solid.object = object;
+  solid.dynamic = dynamic;
+  solid.properties = with_means(known, solid.volume_m3);
+  solid.fully_known = solid.complete && known.mass_kg && known.friction && known.restitution;
+  return solid;
+}
 
 std::vector<ObservedSolid> observe_solids(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b) {
   std::vector<ObservedSolid> solids;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "rigidformer/model/batch.hpp"
 #include "rigidformer/scene/object.hpp"
 #include "rigidformer/scene/shape.hpp"
+#include "rigidformer/simulation/bullet_world.hpp"
+#include "rigidformer/simulation/hull_distance.hpp"
 
 namespace rigidformer {
 
@@ -22,15 +25,23 @@ class BodyError : public std::invalid_argument {
   std::int64_t object_;
 };
 
-/// One object of a batch as a solid body.
+/// One object of a batch as a solid body. What took time to make is shared between copies, which only read it.
 struct ObservedSolid {
-  std::int64_t object = 0;           ///< Index k in the batch
-  bool dynamic = true;               ///< Else its motion is given
-  ConvexPart hull;                   ///< Relative to the centre of mass, axes of the reference frame [m]
+  std::int64_t object = 0;                      ///< Index k in the batch
+  bool dynamic = true;                          ///< Else its motion is given
+  std::shared_ptr<const ConvexPart> hull;       ///< Relative to the centre of mass, axes of the reference frame [m]
+  std::shared_ptr<const SolidHull> distances;   ///< The same, for measuring distances
+  std::shared_ptr<const CollisionShape> shape;  ///< The same, for simulating
+  double volume_m3 = 0.0;
+  double radius_m = 0.0;             ///< Of the hull around the centre of mass
+  bool complete = false;             ///< Seen from all sides
   Eigen::Vector3d centre_reference;  ///< Centre of mass in the reference frame [m]
   BodyProperties properties;         ///< Complete: the means of the MOVi scenes stand for what is unknown
   bool fully_known = false;          ///< Seen from all sides and of known material
 };
+
+/// The same body in another role and of another material, as far as that is known.
+ObservedSolid with_role(ObservedSolid solid, std::int64_t object, bool dynamic, const BodyProperties& known);
 
 /// The objects of scene `b` of a batch; centre_reference [B, K, 3] in double precision; all on the CPU. Throws
 /// BodyError for the first one whose points span no volume.

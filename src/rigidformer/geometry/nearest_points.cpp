@@ -42,7 +42,9 @@ struct BestPoint {
   }
 };
 
-/// One rigid cloud with its search tree and bounds, all in the cloud's own frame.
+}  // namespace
+
+/// With its bounds, all in the cloud's own frame.
 class SearchableCloud {
  public:
   explicit SearchableCloud(Points points)
@@ -81,17 +83,12 @@ class SearchableCloud {
   float radius_ = 0.0F;
 };
 
-}  // namespace
-
 class NearestPoints::Impl {
  public:
-  explicit Impl(std::vector<Points> clouds) {
-    for (std::size_t i = 0; i < clouds.size(); ++i) {
-      if (clouds[i].rows() == 0 || !clouds[i].allFinite()) {
-        throw std::invalid_argument("nearest points: cloud " + std::to_string(i) + " is empty or not finite");
-      }
-      last_.push_back({std::vector<int>(clouds[i].rows(), -1), std::vector<int>(clouds[i].rows(), -1)});
-      clouds_.push_back(std::make_unique<SearchableCloud>(std::move(clouds[i])));
+  explicit Impl(std::vector<std::shared_ptr<const SearchableCloud>> clouds) : clouds_(std::move(clouds)) {
+    for (const auto& cloud : clouds_) {
+      const auto count = static_cast<std::size_t>(cloud->points().rows());
+      last_.push_back({std::vector<int>(count, -1), std::vector<int>(count, -1)});
     }
   }
 
@@ -179,7 +176,7 @@ class NearestPoints::Impl {
     }
   }
 
-  std::vector<std::unique_ptr<SearchableCloud>> clouds_;
+  std::vector<std::shared_ptr<const SearchableCloud>> clouds_;
   std::vector<NearestNeighbors> last_;
   std::vector<float> best_;  ///< Squared nearest distances so far of the points of the searched object
   std::vector<Eigen::Vector3d> centres_world_;
@@ -188,7 +185,26 @@ class NearestPoints::Impl {
   std::vector<std::pair<float, std::size_t>> candidates_;  ///< (least possible distance, object)
 };
 
-NearestPoints::NearestPoints(std::vector<Points> clouds) : impl_(std::make_unique<Impl>(std::move(clouds))) {}
+std::shared_ptr<const SearchableCloud> make_searchable(Points cloud) {
+  if (cloud.rows() == 0 || !cloud.allFinite()) throw std::invalid_argument("the cloud is empty or not finite");
+  return std::make_shared<SearchableCloud>(std::move(cloud));
+}
+
+NearestPoints::NearestPoints(std::vector<Points> clouds) {
+  std::vector<std::shared_ptr<const SearchableCloud>> searchable;
+  for (std::size_t i = 0; i < clouds.size(); ++i) {
+    try {
+      searchable.push_back(make_searchable(std::move(clouds[i])));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("nearest points, cloud " + std::to_string(i) + ": " + error.what());
+    }
+  }
+  impl_ = std::make_unique<Impl>(std::move(searchable));
+}
+NearestPoints NearestPoints::sharing(std::vector<std::shared_ptr<const SearchableCloud>> clouds) {
+  return NearestPoints(std::make_unique<Impl>(std::move(clouds)));
+}
+NearestPoints::NearestPoints(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 NearestPoints::~NearestPoints() = default;
 NearestPoints::NearestPoints(NearestPoints&&) noexcept = default;
 NearestPoints& NearestPoints::operator=(NearestPoints&&) noexcept = default;

@@ -15,6 +15,12 @@ struct NearestNeighbors {
   std::vector<int> point;   ///< [N] row in that object's cloud
 };
 
+/// A rigid cloud with its search tree. It is only read, so that searches in several threads may share it.
+class SearchableCloud;
+
+/// `cloud` [N, 3] m. Throws std::invalid_argument for an empty or non-finite cloud.
+std::shared_ptr<const SearchableCloud> make_searchable(Points cloud);
+
 /// Exact nearest points between rigid clouds that move. Each cloud gets one search tree in its own frame, built once; a
 /// query only moves the poses. The answers of the last query bound the next search, so that small motions cost least.
 /// Not thread safe; queries do not allocate after the first.
@@ -22,6 +28,7 @@ class NearestPoints {
  public:
   /// `clouds[i]` [N_i, 3] m in the frame of object i. Throws std::invalid_argument for an empty or non-finite cloud.
   explicit NearestPoints(std::vector<Points> clouds);
+  static NearestPoints sharing(std::vector<std::shared_ptr<const SearchableCloud>> clouds);
   ~NearestPoints();
   NearestPoints(NearestPoints&&) noexcept;
   NearestPoints& operator=(NearestPoints&&) noexcept;
@@ -32,6 +39,7 @@ class NearestPoints {
 
  private:
   class Impl;
+  explicit NearestPoints(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

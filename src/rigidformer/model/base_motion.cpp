@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/base_motion.hpp"
 
+#include "rigidformer/model/given_motion.hpp"
+
 namespace rigidformer {
 
 Tensor BaseMotion::apply(const Tensor& points_reference) const {
   if (inertial) return pose.apply(points_reference);
-  return 2.0 * current.apply(points_reference) - previous.apply(points_reference);
+  const Tensor lines = 2.0 * current.apply(points_reference) - previous.apply(points_reference);
+  return torch::where(dynamic_mask.unsqueeze(-1).unsqueeze(-1), lines, given.apply(points_reference));
 }
 
 BaseMotion make_base_motion(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,
@@ -15,19 +18,24 @@ BaseMotion make_base_motion(const ModelOptions& options, const SceneBatch& batch
   base.inertial = options.inertial_base_motion;
   base.current = state.current;
   base.previous = state.previous;
+  base.given = coming_pose(state);
+  base.dynamic_mask = batch.dynamic_mask;
   const Tensor c_ref = centre_reference.unsqueeze(2);
   const Tensor centre_now = state.current.apply(c_ref).squeeze(2);
   const Tensor centre_before = state.previous.apply(c_ref).squeeze(2);
   base.centre = centre_now;
-  base.centre_step = centre_now - centre_before;
+  const Tensor dynamic = batch.dynamic_mask.unsqueeze(-1);
+  base.centre_step = torch::where(dynamic, centre_now - centre_before, base.given.apply(c_ref).squeeze(2) - centre_now);
   if (base.inertial) {
     const Tensor fall = (batch.gravity * batch.time_step().square()).reshape({-1, 1, 1});  // g dt^2
-    const Tensor down = fall * batch.dynamic_mask.unsqueeze(-1).to(fall.scalar_type());
+    const Tensor down = fall * dynamic.to(fall.scalar_type());
     base.centre_step = torch::cat({base.centre_step.slice(-1, 0, 2), base.centre_step.slice(-1, 2) + down}, -1);
     const Tensor spin = torch::matmul(state.current.rotation, state.previous.rotation.transpose(-1, -2));
-    base.pose.rotation = torch::matmul(spin, state.current.rotation);
-    base.pose.translation =
-        centre_now + base.centre_step - torch::matmul(base.pose.rotation, centre_reference.unsqueeze(-1)).squeeze(-1);
+    const Tensor rotation = torch::matmul(spin, state.current.rotation);
+    const Tensor translation =
+        centre_now + base.centre_step - torch::matmul(rotation, centre_reference.unsqueeze(-1)).squeeze(-1);
+    base.pose = {torch::where(dynamic.unsqueeze(-1), rotation, base.given.rotation),
+                 torch::where(dynamic, translation, base.given.translation)};
   }
   return base;
 }

@@ -13,8 +13,10 @@ struct BaseMotion {
   Pose pose;     ///< With inertial base motion: pose of the reference cloud at t + 1 in free rigid motion
   Pose current;  ///< With Verlet: every point continues on its own straight line 2 x_t - x_{t-1}
   Pose previous;
-  Tensor centre;       ///< [B, K, 3] centre of mass at t in world
-  Tensor centre_step;  ///< [B, K, 3] displacement of the centre of mass during the step
+  Pose given;           ///< At t + 1 where the motion is given
+  Tensor dynamic_mask;  ///< [B, K] bool, false = the motion is given
+  Tensor centre;        ///< [B, K, 3] centre of mass at t in world
+  Tensor centre_step;   ///< [B, K, 3] displacement of the centre of mass during the step
 
   /// Positions at t + 1, by the base motion, of points [B, K, *, 3] given in the reference frame.
   Tensor apply(const Tensor& points_reference) const;
@@ -22,6 +24,7 @@ struct BaseMotion {
 
 /// Makes the base motion; centre_reference [B, K, 3] is the centre of mass in the reference frame. The inertial one has
 /// constant spin about that centre, which moves on a parabola under gravity. The other one is the paper's Verlet lines.
+/// Objects whose motion is given go to coming_pose() in both.
 BaseMotion make_base_motion(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,
                             const Tensor& centre_reference);
 

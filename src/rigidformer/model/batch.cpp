@@ -20,7 +20,7 @@ SceneBatch SceneBatch::to(const torch::Device& device) const {
 }
 
 SceneState SceneState::to(const torch::Device& device) const {
-  return {first.to(device), previous.to(device), current.to(device)};
+  return {first.to(device), previous.to(device), current.to(device), coming.to(device)};
 }
 
 Tensor Pose::apply(const Tensor& points_reference) const {

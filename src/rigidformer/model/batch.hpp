@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 /// Tensor letters, used in every shape comment of model, windows and training:
 ///   B scenes in a batch, K objects (padded), N points per object (padded), A anchors per object,
@@ -81,9 +82,10 @@ static_assert(sizeof(SceneBatch) == kBatchTensors.size() * sizeof(Tensor), "a te
 
 /// What changes from step to step.
 struct SceneState {
-  Pose first;     ///< First frame of the sequence: x_ref of the paper
-  Pose previous;  ///< t - 1
-  Pose current;   ///< t
+  Pose first;        ///< First frame of the sequence: x_ref of the paper
+  Pose previous;     ///< t - 1
+  Pose current;      ///< t
+  Pose coming = {};  ///< t + 1 of objects whose motion is given; undefined = they keep their twist (given_motion.hpp)
 
   SceneState to(const torch::Device& device) const;
 };
@@ -98,11 +100,18 @@ struct Nearest {
 /// keep one tree per rigid object.
 using NearestSearch = std::function<Nearest(const SceneBatch&, const Pose& current, const Tensor& points_world)>;
 
+/// Two objects of a scene that press on each other during a step.
+struct PressedPair {
+  std::int64_t scene = 0, object = 0, partner = -1;  ///< Indices b and k; partner -1 = the ground
+  double normal_impulse_Ns = 0.0;                    ///< Sum over the step, with estimates of unknown masses
+};
+
 /// The next step as a physics engine makes it.
 struct EngineMotion {
   Pose pose;       ///< Pose at t + 1
   Pose departure;  ///< Pose at t from which free motion arrives at `pose` with the velocity that the engine gives it
   Tensor certain;  ///< [B, K] bool, true = moving, seen from all sides, of known material; undefined = none is
+  std::vector<PressedPair> pressed = {};
 };
 
 /// One step of a physics engine on the objects of a batch.

@@ -28,15 +28,18 @@ Pose highest_point_departure(const SceneBatch& batch, const Pose& departure) {
 
 }  // namespace
 
-void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& next, const RestLimits& limits) {
+void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& next, const RestLimits& limits,
+                  const Tensor& exempt) {
   const Tensor dt = batch.time_step().unsqueeze(-1);  // [B, 1]
   const Tensor fall = kShareOfFall * batch.gravity.abs().unsqueeze(-1) * dt;
   const Tensor max_speed = fall.clamp_max(limits.speed_mps);
   const Pose raised = highest_point_departure(batch, last.previous);
+  const Tensor may_be_held =
+      exempt.defined() ? batch.dynamic_mask.logical_and(exempt.logical_not()) : batch.dynamic_mask;
   const Tensor held = is_still(last.previous, last.current, dt, max_speed, limits.spin_radps)
                           .logical_or(is_still(raised, last.current, dt, max_speed, limits.spin_radps))
                           .logical_and(is_still(last.current, next.current, dt, max_speed, limits.spin_radps))
-                          .logical_and(batch.dynamic_mask)
+                          .logical_and(may_be_held)
                           .unsqueeze(-1);
   for (Pose* pose : {&next.previous, &next.current}) {
     pose->translation = torch::where(held, last.current.translation, pose->translation);

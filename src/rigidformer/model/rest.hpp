@@ -15,7 +15,9 @@ struct RestLimits {
 /// Holds every dynamic object still that was still over the last step and would stay so over the next one.
 /// Otherwise errors of a millimetre per step would make a table full of things wander. An object that has just
 /// begun to fall is not held: it moves faster within one step than the limit, which shrinks with the time
-/// step. Changes the poses of `next`.
-void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& next, const RestLimits& limits);
+/// step. Nor is what `exempt` [B, K] bool says (undefined = nothing): a slow finger would sink into what it pushes.
+/// Changes the poses of `next`.
+void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& next, const RestLimits& limits,
+                  const Tensor& exempt = {});
 
 }  // namespace rigidformer

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rigidformer/model/features.hpp"
+#include "rigidformer/model/given_motion.hpp"
 #include "rigidformer/model/rigid_projection.hpp"
 
 namespace rigidformer {
@@ -34,12 +35,6 @@ struct ShapePoints {
 
 ShapePoints shape_points(const SceneBatch& batch, const Pose& current) {
   return {current.apply(batch.points_reference.slice(2, 0, kShapePoints)), batch.point_mask.slice(2, 0, kShapePoints)};
-}
-
-/// Makes one Newton step towards the nearest rotation. Without it rounding errors of products of rotations would grow
-/// exponentially: each step multiplies them by 1 + sqrt(2).
-Tensor orthonormalized(const Tensor& R) {
-  return 1.5 * R - 0.5 * torch::matmul(R, torch::matmul(R.transpose(-1, -2), R));
 }
 
 }  // namespace
@@ -191,20 +186,16 @@ void RigidFormerImpl::close_contact_gate(const SceneBatch& batch, const BaseMoti
 }
 
 SceneState advance(const SceneBatch& batch, const SceneState& state, const StepPrediction& prediction) {
-  // Objects whose motion is given keep the twist between their two states; for static ones that is rest.
-  const Tensor spin = torch::matmul(state.current.rotation, state.previous.rotation.transpose(-1, -2));
-  const Tensor step = (state.current.translation - state.previous.translation).unsqueeze(-1);
-  const Tensor given_translation = state.current.translation + torch::matmul(spin, step).squeeze(-1);
-  const Tensor given_rotation = orthonormalized(torch::matmul(spin, state.current.rotation));
-
+  const Pose given = coming_pose(state);
   const Tensor predicted = batch.dynamic_mask.unsqueeze(-1);
-  const auto choose = [&](const Pose& pose, const Tensor& rotation, const Tensor& translation) {
-    return Pose{torch::where(predicted.unsqueeze(-1), pose.rotation, rotation),
-                torch::where(predicted, pose.translation, translation)};
+  const auto choose = [&](const Pose& pose, const Pose& otherwise) {
+    return Pose{torch::where(predicted.unsqueeze(-1), pose.rotation, otherwise.rotation),
+                torch::where(predicted, pose.translation, otherwise.translation)};
   };
   SceneState after = state;
-  after.previous = choose(prediction.departure, state.current.rotation, state.current.translation);
-  after.current = choose(prediction.pose, given_rotation, given_translation);
+  after.previous = choose(prediction.departure, state.current);
+  after.current = choose(prediction.pose, given);
+  after.coming = {};
   return after;
 }
 

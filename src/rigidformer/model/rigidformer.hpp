@@ -77,7 +77,7 @@ struct RigidFormerImpl : torch::nn::Module {
 TORCH_MODULE(RigidFormer);
 
 /// The state after a step. Its two poses carry the predicted velocity; without that output, the current pose becomes
-/// the previous one. Objects whose motion is given (static, kinematic) keep the twist between their two states.
+/// the previous one. Objects whose motion is given (static, kinematic) go to coming_pose().
 SceneState advance(const SceneBatch& batch, const SceneState& state, const StepPrediction& prediction);
 
 /// Total number of trainable parameters.

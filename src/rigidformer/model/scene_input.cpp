@@ -35,13 +35,6 @@ Points select_points(const Points& cloud, int max_points) {
   return selected;
 }
 
-void store_pose(const RigidTransform& T, const Eigen::Vector3d& origin, Pose& pose, std::int64_t k) {
-  const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> R = T.rotation.normalized().toRotationMatrix().cast<float>();
-  const Eigen::Vector3f t = (T.translation - origin).cast<float>();
-  pose.rotation[0][k] = torch::tensor(std::vector<float>(R.data(), R.data() + 9)).reshape({3, 3});
-  pose.translation[0][k] = torch::tensor(std::vector<float>(t.data(), t.data() + 3));
-}
-
 void store_properties(const ObjectState& object, bool reads_mask, SceneBatch& batch, std::int64_t k) {
   const std::optional<double> values[] = {object.properties.mass_kg, object.properties.friction,
                                           object.properties.restitution};
@@ -112,6 +105,13 @@ Eigen::Vector3d scene_origin(const std::vector<ObjectState>& objects, const Roll
 
 }  // namespace
 
+void store_pose(const RigidTransform& T, const Eigen::Vector3d& origin, Pose& pose, std::int64_t k) {
+  const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> R = T.rotation.normalized().toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = (T.translation - origin).cast<float>();
+  pose.rotation[0][k] = torch::tensor(std::vector<float>(R.data(), R.data() + 9)).reshape({3, 3});
+  pose.translation[0][k] = torch::tensor(std::vector<float>(t.data(), t.data() + 3));
+}
+
 void validate_options(const RolloutOptions& rollout) {
   check_range("num_steps", rollout.num_steps, rollout.num_steps >= 1, "at least 1");
   check_range("time_step_s", rollout.time_step_s, std::isfinite(rollout.time_step_s) && rollout.time_step_s > 0.0,
@@ -122,6 +122,32 @@ void validate_options(const RolloutOptions& rollout) {
   const double friction = rollout.ground.friction.value_or(0.0), restitution = rollout.ground.restitution.value_or(0.0);
   check_range("ground.friction", friction, friction >= 0.0 && friction <= kMostFriction, "in [0, 1000]");
   check_range("ground.restitution", restitution, restitution >= 0.0 && restitution <= 1.0, "in [0, 1]");
+}
+
+SceneState make_scene_state(const std::vector<ObjectState>& objects, const Eigen::Vector3d& origin_world) {
+  const auto K = static_cast<std::int64_t>(objects.size());
+  SceneState state{identity_poses(K), identity_poses(K), identity_poses(K)};
+  for (std::int64_t k = 0; k < K; ++k) {
+    const ObjectState& object = objects[static_cast<size_t>(k)];
+    const bool rests = object.mode == MotionMode::kStatic;
+    store_pose(rests ? object.T_world_current : object.T_world_previous, origin_world, state.previous, k);
+    store_pose(object.T_world_current, origin_world, state.current, k);
+  }
+  state.first = state.previous;
+  return state;
+}
+
+void store_roles(const std::vector<ObjectState>& objects, const ModelOptions& model, SceneBatch& batch) {
+  const auto K = static_cast<std::int64_t>(objects.size());
+  batch.object_mask = torch::ones({1, K}, torch::kBool);
+  batch.dynamic_mask = torch::ones({1, K}, torch::kBool);
+  batch.properties = torch::zeros({1, K, 3});
+  batch.properties_known = torch::zeros({1, K, 3});
+  for (std::int64_t k = 0; k < K; ++k) {
+    const ObjectState& object = objects[static_cast<size_t>(k)];
+    batch.dynamic_mask[0][k] = object.mode == MotionMode::kDynamic;
+    store_properties(object, model.property_mask, batch, k);
+  }
 }
 
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
@@ -135,32 +161,22 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   }
   const std::int64_t N = (longest + kPointBucket - 1) / kPointBucket * kPointBucket;
   input.origin_world = scene_origin(objects, rollout);
-  input.state = {identity_poses(K), identity_poses(K), identity_poses(K)};
+  input.state = make_scene_state(objects, input.origin_world);
 
   SceneBatch& batch = input.batch;
   batch.points_reference = torch::zeros({1, K, N, 3});
   batch.point_mask = torch::zeros({1, K, N}, torch::kBool);
-  batch.object_mask = torch::ones({1, K}, torch::kBool);
-  batch.dynamic_mask = torch::ones({1, K}, torch::kBool);
-  batch.properties = torch::zeros({1, K, 3});
-  batch.properties_known = torch::zeros({1, K, 3});
+  store_roles(objects, model, batch);
   batch.step_size = torch::full({1}, rollout.time_step_s * kFrameRateHz);
   batch.ground_height = torch::full({1}, rollout.ground_height_m ? 0.0 : kNoGround);
   batch.gravity = torch::full({1}, rollout.gravity);
   store_ground(rollout.ground, batch);
   for (std::int64_t k = 0; k < K; ++k) {
-    const ObjectState& object = objects[static_cast<size_t>(k)];
     Points& cloud = input.clouds[static_cast<size_t>(k)];
     const std::int64_t n = cloud.rows();
     batch.points_reference[0][k].slice(0, 0, n).copy_(torch::from_blob(cloud.data(), {n, 3}));
     batch.point_mask[0][k].slice(0, 0, n).fill_(true);
-    batch.dynamic_mask[0][k] = object.mode == MotionMode::kDynamic;
-    store_properties(object, model.property_mask, batch, k);
-    const bool rests = object.mode == MotionMode::kStatic;
-    store_pose(rests ? object.T_world_current : object.T_world_previous, input.origin_world, input.state.previous, k);
-    store_pose(object.T_world_current, input.origin_world, input.state.current, k);
   }
-  input.state.first = input.state.previous;
   if (model.engine_motion || model.contact_tokens) store_surfaces(objects, batch);
   if (model.local_planes) store_normals(input.clouds, batch);
   const TensorRandom random(torch::kCPU, kAnchorSeed);  // the same scene gets the same anchors
@@ -169,7 +185,7 @@ SceneInput make_scene_input(const std::vector<ObjectState>& objects, const Rollo
   return input;
 }
 
-std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose) {
+std::vector<RigidTransform> to_world(const Pose& pose, const Eigen::Vector3d& origin_world) {
   const Tensor R = pose.rotation[0].to(torch::kCPU, torch::kFloat64).contiguous();
   const Tensor t = pose.translation[0].to(torch::kCPU, torch::kFloat64).contiguous();
   std::vector<RigidTransform> T_world_reference;
@@ -177,7 +193,7 @@ std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose) 
     const Eigen::Matrix3d rotation =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data_ptr<double>() + 9 * k);
     const Eigen::Vector3d translation = Eigen::Map<const Eigen::Vector3d>(t.data_ptr<double>() + 3 * k);
-    T_world_reference.push_back({Eigen::Quaterniond(rotation).normalized(), translation + input.origin_world});
+    T_world_reference.push_back({Eigen::Quaterniond(rotation).normalized(), translation + origin_world});
   }
   return T_world_reference;
 }

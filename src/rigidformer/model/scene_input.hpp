@@ -29,7 +29,15 @@ void validate_options(const RolloutOptions& rollout);
 SceneInput make_scene_input(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                             const ModelOptions& model, int max_points);
 
+/// The parts of it that change when the same clouds are in other states: poses, and masks with material.
+SceneState make_scene_state(const std::vector<ObjectState>& objects, const Eigen::Vector3d& origin_world);
+void store_roles(const std::vector<ObjectState>& objects, const ModelOptions& model, SceneBatch& batch);
+
+/// Writes a pose in world coordinates to row k of a batch of one scene.
+void store_pose(const RigidTransform& T_world_reference, const Eigen::Vector3d& origin_world, Pose& pose,
+                std::int64_t k);
+
 /// Gives the poses of all objects in world coordinates.
-std::vector<RigidTransform> to_world(const SceneInput& input, const Pose& pose);
+std::vector<RigidTransform> to_world(const Pose& pose, const Eigen::Vector3d& origin_world);
 
 }  // namespace rigidformer

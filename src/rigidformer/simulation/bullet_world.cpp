@@ -4,8 +4,10 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bullet_conversion.hpp"
 
@@ -25,10 +27,8 @@ double require_known(const char* field, const std::optional<double>& value) {
   return *value;
 }
 
-/// A body with the collision shapes that it owns.
 struct Body {
-  std::vector<std::unique_ptr<btConvexHullShape>> hulls;
-  std::unique_ptr<btCollisionShape> shape;
+  std::shared_ptr<const CollisionShape> shape;
   std::unique_ptr<btRigidBody> body;
 };
 
@@ -57,6 +57,15 @@ void apply_settings(const BulletSettings& settings, btContactSolverInfo& solver)
   solver.m_leastSquaresResidualThreshold = static_cast<btScalar>(settings.least_squares_residual);
 }
 
+/// Bullet sets aside room for 4,096 contacts, 4 MB per world, unless it is told otherwise. Beyond the pools it
+/// allocates.
+btDefaultCollisionConstructionInfo small_pools() {
+  constexpr int kPooled = 256;  // pairs of about 20 objects that touch; changes speed and memory only; chosen by eye
+  btDefaultCollisionConstructionInfo info;
+  info.m_defaultMaxPersistentManifoldPoolSize = info.m_defaultMaxCollisionAlgorithmPoolSize = kPooled;
+  return info;
+}
+
 struct OverlapCallback : btCollisionWorld::ContactResultCallback {
   bool overlap = false;
   btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
@@ -66,11 +75,66 @@ struct OverlapCallback : btCollisionWorld::ContactResultCallback {
   }
 };
 
+/// Bullet's solver, which tells what bodies press on each other. Contact points know it only with warm starting, which
+/// would change the motion.
+class TellingSolver : public btSequentialImpulseConstraintSolver {
+ public:
+  std::vector<PressedBodies> pressed;  ///< Sums since it was cleared
+
+ protected:
+  btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
+                                         const btContactSolverInfo& info) override {
+    const auto index = [&](int solver_body) {
+      const btRigidBody* body = m_tmpSolverBodyPool[solver_body].m_originalBody;  // null for what never moves
+      return body == nullptr ? -1 : body->getUserIndex();
+    };
+    for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i) {
+      const btSolverConstraint& contact = m_tmpSolverContactConstraintPool[i];
+      add(index(contact.m_solverBodyIdA), index(contact.m_solverBodyIdB), contact.m_appliedImpulse);
+    }
+    return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, num_bodies, info);
+  }
+
+ private:
+  void add(int first, int second, double impulse_Ns) {
+    if (!(impulse_Ns > 0.0)) return;
+    const int a = std::max(first, second), b = std::min(first, second);
+    const auto is_pair = [&](const PressedBodies& pair) { return pair.body_a == a && pair.body_b == b; };
+    const auto known = std::find_if(pressed.begin(), pressed.end(), is_pair);
+    if (known != pressed.end()) {
+      known->normal_impulse_Ns += impulse_Ns;
+    } else {
+      pressed.push_back({a, b, impulse_Ns});
+    }
+  }
+};
+
 }  // namespace
+
+struct CollisionShape::Impl {
+  std::vector<std::unique_ptr<btConvexHullShape>> hulls;
+  btCompoundShape compound;
+  double radius_m = 0.0;  ///< Of the farthest corner from the origin
+};
+
+CollisionShape::CollisionShape(const Shape& shape, double size, double hull_margin_m)
+    : impl_(std::make_unique<Impl>()) {
+  require_positive("size", size);
+  if (shape.parts.empty()) throw std::invalid_argument("shape '" + shape.name + "' has no parts");
+  for (const ConvexPart& part : shape.parts) {
+    impl_->hulls.push_back(make_hull(part, size, hull_margin_m));
+    impl_->compound.addChildShape(btTransform::getIdentity(), impl_->hulls.back().get());
+  }
+  impl_->compound.setMargin(static_cast<btScalar>(hull_margin_m));
+  impl_->radius_m = size * static_cast<double>(shape.vertices().rowwise().norm().maxCoeff());
+}
+CollisionShape::~CollisionShape() = default;
+CollisionShape::CollisionShape(CollisionShape&&) noexcept = default;
 
 struct BulletWorld::Impl {
   explicit Impl(const BulletSettings& world_settings)
       : settings(world_settings),
+        configuration(small_pools()),
         dispatcher(&configuration),
         world(&dispatcher, &broadphase, &solver, &configuration),
         floor_shape(btVector3(kFloorHalfWidth, kFloorHalfWidth, kFloorHalfHeight)),
@@ -93,7 +157,7 @@ struct BulletWorld::Impl {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher;
   btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
+  TellingSolver solver;
   mutable btDiscreteDynamicsWorld world;
   btBoxShape floor_shape;
   btRigidBody floor;
@@ -116,31 +180,26 @@ BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
 BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
 
 int BulletWorld::add_body(const Shape& shape, double size, const BodyProperties& properties, const BodyState& state) {
-  require_positive("size", size);
+  return add_body(std::make_shared<CollisionShape>(shape, size, impl_->settings.hull_margin_m), properties, state);
+}
+
+int BulletWorld::add_body(std::shared_ptr<const CollisionShape> shape, const BodyProperties& properties,
+                          const BodyState& state) {
   const auto mass = static_cast<btScalar>(require_known("mass_kg", properties.mass_kg));
   require_positive("mass_kg", mass);
-  if (shape.parts.empty()) throw std::invalid_argument("shape '" + shape.name + "' has no parts");
-
-  Body body;
-  auto compound = std::make_unique<btCompoundShape>();
-  for (const ConvexPart& part : shape.parts) {
-    body.hulls.push_back(make_hull(part, size, impl_->settings.hull_margin_m));
-    compound->addChildShape(btTransform::getIdentity(), body.hulls.back().get());
-  }
-  compound->setMargin(static_cast<btScalar>(impl_->settings.hull_margin_m));
+  btCompoundShape& compound = shape->impl_->compound;
   btVector3 inertia(0, 0, 0);
-  compound->calculateLocalInertia(mass, inertia);
-  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, compound.get(), inertia);
+  compound.calculateLocalInertia(mass, inertia);
+  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &compound, inertia);
   info.m_friction = static_cast<btScalar>(require_known("friction", properties.friction));
   info.m_restitution = static_cast<btScalar>(require_known("restitution", properties.restitution));
   info.m_linearDamping = info.m_angularDamping = 0;
-  const double radius_m = size * static_cast<double>(shape.vertices().rowwise().norm().maxCoeff());
-  info.m_rollingFriction = static_cast<btScalar>(impl_->settings.rolling_friction * radius_m);
-  info.m_spinningFriction = static_cast<btScalar>(impl_->settings.spinning_friction * radius_m);
-  body.body = std::make_unique<btRigidBody>(info);
-  body.shape = std::move(compound);
+  info.m_rollingFriction = static_cast<btScalar>(impl_->settings.rolling_friction * shape->impl_->radius_m);
+  info.m_spinningFriction = static_cast<btScalar>(impl_->settings.spinning_friction * shape->impl_->radius_m);
+  Body body{std::move(shape), std::make_unique<btRigidBody>(info)};
   body.body->setActivationState(DISABLE_DEACTIVATION);
   body.body->setContactProcessingThreshold(0);
+  body.body->setUserIndex(num_bodies());
   impl_->world.addRigidBody(body.body.get());
   impl_->bodies.push_back(std::move(body));
   set_state(num_bodies() - 1, state);
@@ -148,8 +207,14 @@ int BulletWorld::add_body(const Shape& shape, double size, const BodyProperties&
 }
 
 int BulletWorld::add_driven_body(const Shape& shape, double size, BodyProperties properties, const BodyState& state) {
+  return add_driven_body(std::make_shared<CollisionShape>(shape, size, impl_->settings.hull_margin_m), properties,
+                         state);
+}
+
+int BulletWorld::add_driven_body(std::shared_ptr<const CollisionShape> shape, BodyProperties properties,
+                                 const BodyState& state) {
   properties.mass_kg = kImmovableMass;
-  const int body = add_body(shape, size, properties, state);
+  const int body = add_body(std::move(shape), properties, state);
   impl_->bodies.back().body->setGravity(btVector3(0, 0, 0));
   return body;
 }
@@ -189,9 +254,12 @@ bool BulletWorld::overlaps_any(int body) const {
 
 void BulletWorld::step_frame() {
   const double time_step_s = 1.0 / (impl_->settings.frame_rate_hz * impl_->settings.substeps);
+  impl_->solver.pressed.clear();
   for (int i = 0; i < impl_->settings.substeps; ++i) {
     impl_->world.stepSimulation(static_cast<btScalar>(time_step_s), 0);
   }
 }
+
+const std::vector<PressedBodies>& BulletWorld::pressed() const { return impl_->solver.pressed; }
 
 }  // namespace rigidformer

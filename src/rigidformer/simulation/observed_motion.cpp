@@ -11,7 +11,6 @@ namespace rigidformer {
 namespace {
 
 constexpr double kSolverRate_hz = 240.0;  // the frames of the MOVi scenes
-constexpr double kTouching_m = 0.01;      // what a cloud of some hundred points misses of a body's lowest corner
 
 }  // namespace
 

@@ -20,6 +20,9 @@ BodyState mean_motion(const RigidTransform& T_ground_before, const RigidTransfor
 /// the velocity in the middle between them.
 double half_fall(double time_step_s, double gravity);
 
+/// What a cloud of some hundred points misses of a body's lowest corner [m]: what is nearer than this touches.
+constexpr double kTouching_m = 0.01;
+
 /// True when the lowest of the body's points [N, 3] is less than 1 cm above the floor z = 0: points sampled on a
 /// surface miss its lowest corner by a little.
 bool touches_floor(const Points& points_body, const RigidTransform& T_ground_body);

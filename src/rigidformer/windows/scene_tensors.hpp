@@ -30,8 +30,8 @@ struct SceneTensors {
   Tensor frame_count;          ///< [S] int64, at most F: frames after it do not exist
   Tensor dynamic_mask;         ///< [S, K] bool, objects that move
   Tensor properties_known;     ///< [S, K, 3] 1 where the recording says them; others hold the means of the MOVi sets
-  Tensor ground_material;    ///< [S, 2] friction, restitution of the ground; 0 where unknown
-  Tensor ground_known;       ///< [S, 2] 1 where the recording says them
+  Tensor ground_material;      ///< [S, 2] friction, restitution of the ground; 0 where unknown
+  Tensor ground_known;         ///< [S, 2] 1 where the recording says them
   Tensor control = {};         ///< [S, F, C] command that counts from each frame on; undefined = nothing is commanded
   int control_directions = 0;  ///< So many horizontal vectors (x, y) end the command
   double frame_rate_hz = 240.0;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -15,14 +14,7 @@ namespace {
 using rigidformer::Forecast;
 using rigidformer::MotionMode;
 using rigidformer::ObjectTrajectory;
-using rigidformer::RigidTransform;
 using Clock = SharedRollout::Clock;
-
-bool is_slow_enough(const RigidTransform& before, const RigidTransform& after, double dt_s,
-                    const SettleCriterion& limit) {
-  return (after.translation - before.translation).norm() <= limit.linear_speed_mps * dt_s &&
-         rigidformer::rotation_angle(before.rotation, after.rotation) <= limit.angular_speed_rps * dt_s;
-}
 
 bool all_diverged(const Forecast& forecast, const std::vector<MotionMode>& modes) {
   bool any_moves = false;
@@ -54,15 +46,6 @@ bool all_settled(const std::vector<int>& steps) {
 
 SettleCriterion settle_criterion(const ServiceParameters& parameters) {
   return {parameters.settle_linear_speed, parameters.settle_angular_speed, parameters.settle_duration};
-}
-
-int settled_step(const std::vector<RigidTransform>& poses, double time_step_s, const SettleCriterion& criterion) {
-  auto step = static_cast<int>(poses.size()) - 1;
-  while (step > 0 && is_slow_enough(poses[step - 1], poses[step], time_step_s, criterion)) {
-    --step;
-  }
-  const double settled_s = (static_cast<double>(poses.size()) - 1.0 - step) * time_step_s;
-  return settled_s > 0.0 && settled_s >= criterion.duration_s ? step : -1;
 }
 
 Clock::time_point time_limit(const RolloutSettings& settings, Clock::time_point asked) {

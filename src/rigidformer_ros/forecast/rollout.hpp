@@ -9,21 +9,11 @@
 
 namespace rigidformer_ros {
 
-/// When an object counts as settled: both speeds stay within these limits for this long. docs/conventions.md has what
-/// else is said of what moves little.
-struct SettleCriterion {
-  double linear_speed_mps = 0.0;   ///< Largest speed of the origin [m/s]
-  double angular_speed_rps = 0.0;  ///< Largest angular speed [rad/s]
-  double duration_s = 0.0;         ///< Shortest time at rest [s]
-};
+using rigidformer::SettleCriterion;
+using rigidformer::settled_step;
 
 /// Reads the criterion from the parameters `service/settle_*`.
 SettleCriterion settle_criterion(const ServiceParameters& parameters);
-
-/// The first step from which the object stays at rest up to the last pose. The result is -1 when it moves at the end,
-/// or when its rest is shorter than the criterion asks for.
-int settled_step(const std::vector<rigidformer::RigidTransform>& poses, double time_step_s,
-                 const SettleCriterion& criterion);
 
 /// Why a rollout ended: all steps are done, all objects rest, the time is over, or all dynamic objects are lost.
 enum class StopReason { kHorizon, kSettled, kWallTime, kDiverged };

@@ -47,6 +47,15 @@ struct Motion {
   }
 };
 
+TEST(HoldResting, WhatSomebodyMovesIsExempt) {
+  Motion motion(10, 0.05, 0.1, 0.05, 0.1);
+  SceneState after = motion.next;
+  hold_resting(motion.batch, motion.last, after, {}, torch::ones({1, 1}, torch::kBool));
+  EXPECT_TRUE(torch::equal(after.current.translation, motion.next.current.translation));
+  hold_resting(motion.batch, motion.last, after, {}, torch::zeros({1, 1}, torch::kBool));
+  EXPECT_TRUE(torch::equal(after.current.translation, motion.last.current.translation));
+}
+
 TEST(HoldResting, HoldsWhatIsAndStaysSlow) {
   EXPECT_TRUE(Motion(10, 0.05, 0.1, 0.05, 0.1).is_held());
   EXPECT_FALSE(Motion(10, 0.15, 0.1, 0.05, 0.1).is_held());

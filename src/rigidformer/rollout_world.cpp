@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rigidformer/rollout_world.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "rigidformer/engine/contact_search.hpp"
+#include "rigidformer/engine/engine_step.hpp"
+#include "rigidformer/model/command.hpp"
+#include "rigidformer/model/given_motion.hpp"
+#include "rigidformer/simulation/observed_motion.hpp"
+
+namespace rigidformer {
+namespace {
+
+constexpr double kLargestOverlap = 0.05;  // of its diameter, with which a body may be placed in another one
+constexpr double kUnmoved = 1e-6;         // [m], [rad] of a given body during a step, which is rounding; by eye
+
+bool is_finite(const RigidTransform& T) { return T.translation.allFinite() && T.rotation.coeffs().allFinite(); }
+
+/// The solids in the roles and of the material that a candidate gives them.
+std::vector<ObservedSolid> in_roles(const std::vector<ObservedSolid>& solids,
+                                    const std::vector<CandidateObject>& objects) {
+  std::vector<ObservedSolid> cast;
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    const ObjectState& state = objects[k].state;
+    cast.push_back(
+        with_role(solids[k], static_cast<std::int64_t>(k), state.mode == MotionMode::kDynamic, state.properties));
+  }
+  return cast;
+}
+
+std::vector<ObjectState> states_of(const std::vector<CandidateObject>& objects) {
+  std::vector<ObjectState> states;
+  for (const CandidateObject& object : objects) states.push_back(object.state);
+  return states;
+}
+
+}  // namespace
+
+RolloutWorld::RolloutWorld(const StepMaker& maker, PerceivedObjects perceived, std::vector<CandidateObject> objects,
+                           const RolloutOptions& rollout, Forecast& forecast)
+    : maker_(maker),
+      rollout_(rollout),
+      perceived_(std::move(perceived)),
+      objects_(std::move(objects)),
+      solids_(in_roles(perceived_.solids, objects_), perceived_.batch.ground_height[0].item<double>()),
+      pushed_(objects_.size(), false),
+      forecast_(forecast) {
+  assume_roles();
+  forecast_.times_s.push_back(0.0);
+  for (const CandidateObject& object : objects_) {
+    forecast_.objects.push_back({object.state.id, ObjectTrajectory::Status::kOk, {object.state.T_world_current}});
+  }
+  check_overlaps();
+  set_twists();
+  state_.first = state_.previous;
+  make_steps();
+  record_contacts();
+}
+
+void RolloutWorld::assume_roles() {
+  const torch::Device device = perceived_.batch.points_reference.device();
+  const std::vector<ObjectState> states = states_of(objects_);
+  SceneBatch roles;
+  store_roles(states, maker_.model->options, roles);
+  for (const auto tensor :
+       {&SceneBatch::object_mask, &SceneBatch::dynamic_mask, &SceneBatch::properties, &SceneBatch::properties_known}) {
+    perceived_.batch.*tensor = (roles.*tensor).to(device);
+  }
+  state_ = make_scene_state(states, perceived_.origin_world).to(device);
+}
+
+void RolloutWorld::make_steps() {
+  const ModelOptions& options = maker_.model->options;
+  nearest_ = nearest_search(perceived_);
+  if (maker_.fidelity == Fidelity::kEngine || options.engine_motion) {
+    engine_ = [this, step = make_engine_step(perceived_.batch, solids_.solids())](const SceneState& state) {
+      EngineMotion motion = step(state);
+      pressed_ = motion.pressed;
+      return motion;
+    };
+  }
+  if (maker_.fidelity == Fidelity::kEngine || !options.contact_tokens) return;
+  contacts_ = [this, search = make_contact_search(options, perceived_.batch, solids_.solids())](const Pose& from,
+                                                                                                const Pose& to) {
+    Contacts contacts = search(from, to);
+    met_.clear();
+    for (std::int64_t i = 0; i < contacts.count(); ++i) {
+      if (contacts.gap[i].item<double>() > kContact_m) continue;
+      met_.emplace_back(contacts.object[i].item<std::int64_t>(), contacts.partner[i].item<std::int64_t>());
+    }
+    return contacts;
+  };
+}
+
+/// Bodies that a camera saw overlap a little; what a candidate places must not begin inside something.
+void RolloutWorld::check_overlaps() const {
+  const std::vector<SolidGap> gaps = solids_.gaps(body_poses().now, 0.0);
+  for (const SolidGap& gap : gaps) {
+    for (const int k : {gap.body, gap.partner}) {
+      if (k < 0 || !objects_[static_cast<std::size_t>(k)].is_placed) continue;
+      const double size_m = 2.0 * solids_.solids()[static_cast<std::size_t>(k)].radius_m;
+      const auto& state = objects_[static_cast<std::size_t>(k)].state;
+      if (-gap.gap_m <= kLargestOverlap * size_m || (gap.partner < 0 && state.mode != MotionMode::kDynamic)) continue;
+      const int other = k == gap.body ? gap.partner : gap.body;
+      const std::string what =
+          other < 0 ? "the ground" : "'" + objects_[static_cast<std::size_t>(other)].state.id + "'";
+      throw CandidateError(CandidateOutcome::Error::kInvalid,
+                           "'" + state.id + "' starts " + std::to_string(-gap.gap_m) + " m deep in " + what +
+                               ", at most " + std::to_string(kLargestOverlap * size_m) + " m are accepted");
+    }
+  }
+}
+
+BodyPoses RolloutWorld::body_poses() const {
+  const auto poses = [&](const Pose& pose) { return solids_.body_poses(to_world(pose, Eigen::Vector3d::Zero())); };
+  return {poses(state_.previous), poses(state_.current), rollout_.time_step_s, rollout_.gravity};
+}
+
+void RolloutWorld::set_motion(std::size_t k, const BodyPoses& poses, const BodyState& motion) {
+  RigidTransform T = departure(solids_, poses, static_cast<int>(k), motion);
+  T.translation -= T.rotation * solids_.solids()[k].centre_reference;
+  store_pose(T, Eigen::Vector3d::Zero(), state_.previous, static_cast<std::int64_t>(k));
+  pushed_[k] = true;
+}
+
+void RolloutWorld::set_twists() {
+  for (std::size_t k = 0; k < objects_.size(); ++k) {
+    if (!objects_[k].twist) continue;
+    const BodyPoses poses = body_poses();
+    BodyState motion = motion_now(solids_, poses, static_cast<int>(k));
+    const Eigen::Vector3d to_centre = motion.T_world_object.rotation * solids_.solids()[k].centre_reference;
+    motion.angular_velocity = objects_[k].twist->angular_rps;
+    motion.velocity = objects_[k].twist->linear_mps + motion.angular_velocity.cross(to_centre);
+    set_motion(k, poses, motion);
+  }
+}
+
+void RolloutWorld::push() {
+  const double begin_s = forecast_.times_s.back(), end_s = begin_s + rollout_.time_step_s;
+  for (std::size_t k = 0; k < objects_.size(); ++k) {
+    for (const Push& push : objects_[k].pushes) {
+      if (push.time_s < begin_s || push.time_s >= end_s) continue;
+      const BodyPoses poses = body_poses();
+      const BodyState motion = motion_now(solids_, poses, static_cast<int>(k));
+      const ObservedSolid& solid = solids_.solids()[k];
+      const Eigen::Vector3d arm = motion.T_world_object.rotation * (push.point_reference - solid.centre_reference);
+      set_motion(k, poses, pushed(solid, motion, push.linear_Ns, push.angular_Nms, arm));
+    }
+  }
+}
+
+void RolloutWorld::set_coming() {
+  const auto follows = [](const CandidateObject& object) { return object.track.has_value(); };
+  if (std::none_of(objects_.begin(), objects_.end(), follows)) return;
+  const double time_s = forecast_.times_s.back() + rollout_.time_step_s;
+  state_.coming = coming_pose(state_);
+  for (std::size_t k = 0; k < objects_.size(); ++k) {
+    if (!objects_[k].track) continue;
+    store_pose(pose_at(*objects_[k].track, time_s), perceived_.origin_world, state_.coming,
+               static_cast<std::int64_t>(k));
+  }
+}
+
+void RolloutWorld::set_command() {
+  const Tensor command = command_of_step(rollout_, steps_done());
+  if (command.defined()) perceived_.batch.control = command.to(perceived_.batch.gravity.device());
+}
+
+/// What is pushed, or touched by something that is moved or pushed: a contact passes the motion on.
+std::vector<bool> RolloutWorld::moved_by_others() const {
+  std::vector<bool> moved = pushed_;
+  const std::vector<RigidTransform> coming = to_world(coming_pose(state_), Eigen::Vector3d::Zero());
+  std::vector<RigidTransform> T = to_world(state_.current, Eigen::Vector3d::Zero());
+  for (std::size_t k = 0; k < objects_.size(); ++k) {
+    if (objects_[k].state.mode == MotionMode::kDynamic) continue;
+    moved[k] = (coming[k].translation - T[k].translation).norm() > kUnmoved ||
+               rotation_angle(coming[k].rotation, T[k].rotation) > kUnmoved;
+    T[k] = coming[k];
+  }
+  if (std::none_of(moved.begin(), moved.end(), [](bool is_moved) { return is_moved; })) return moved;
+  if (solids_.solids().empty()) return std::vector<bool>(objects_.size(), true);
+  const std::vector<SolidGap> gaps = solids_.gaps(solids_.body_poses(T), kTouching_m);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const SolidGap& gap : gaps) {
+      if (gap.partner < 0) continue;
+      const auto a = static_cast<std::size_t>(gap.body), b = static_cast<std::size_t>(gap.partner);
+      if (moved[a] == moved[b]) continue;
+      const std::size_t other = moved[a] ? b : a;
+      if (objects_[other].state.mode != MotionMode::kDynamic) continue;
+      moved[other] = changed = true;
+    }
+  }
+  return moved;
+}
+
+Tensor RolloutWorld::exempt() const {
+  const std::vector<bool> moved = moved_by_others();
+  if (std::none_of(moved.begin(), moved.end(), [](bool is_moved) { return is_moved; })) return {};
+  Tensor mask = torch::zeros({1, static_cast<std::int64_t>(moved.size())}, torch::kBool);
+  for (std::size_t k = 0; k < moved.size(); ++k) mask[0][static_cast<std::int64_t>(k)] = static_cast<bool>(moved[k]);
+  return mask.to(perceived_.batch.dynamic_mask.device());
+}
+
+StepPrediction RolloutWorld::predict() {
+  if (maker_.fidelity == Fidelity::kEngine) {
+    const EngineMotion motion = engine_(state_);
+    return {Tensor(), motion.pose, motion.departure};
+  }
+  return maker_.model->forward(perceived_.batch, state_, perceived_.centre, nearest_, engine_, contacts_);
+}
+
+void RolloutWorld::step() {
+  if (is_over_) return repeat();
+  push();
+  set_coming();
+  set_command();
+  SceneState next = advance(perceived_.batch, state_, predict());
+  if (maker_.rest.speed_mps > 0.0) hold_resting(perceived_.batch, state_, next, maker_.rest, exempt());
+  forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);
+  record(next);
+  settle_pushed(next);
+  is_over_ = stays(next);
+  state_ = next;
+  record_contacts();
+}
+
+void RolloutWorld::record(SceneState& next) {
+  const std::vector<RigidTransform> T_world = to_world(next.current, perceived_.origin_world);
+  for (size_t k = 0; k < T_world.size(); ++k) {
+    ObjectTrajectory& object = forecast_.objects[k];
+    if (object.status == ObjectTrajectory::Status::kOk && is_finite(T_world[k])) {
+      object.poses.push_back(T_world[k]);
+    } else {
+      object.status = ObjectTrajectory::Status::kDiverged;
+      object.poses.push_back(object.poses.back());
+      freeze(next, static_cast<std::int64_t>(k));
+    }
+  }
+}
+
+/// A diverged object stays where it was last finite, so that the others can go on around it.
+void RolloutWorld::freeze(SceneState& next, std::int64_t k) {
+  perceived_.batch.dynamic_mask[0][k] = false;
+  for (const Pose& pose : {next.current, next.previous}) {
+    Tensor rotation = pose.rotation[0][k], translation = pose.translation[0][k];
+    rotation.copy_(state_.current.rotation[0][k]);
+    translation.copy_(state_.current.translation[0][k]);
+  }
+}
+
+void RolloutWorld::record_contacts() {
+  if (solids_.solids().empty()) return;
+  const std::vector<StepContact> contacts =
+      find_contacts(steps_done(), objects_, solids_.gaps(body_poses().now, kContact_m), pressed_, met_);
+  forecast_.contacts.insert(forecast_.contacts.end(), contacts.begin(), contacts.end());
+}
+
+/// What came to rest is held like everything else again.
+void RolloutWorld::settle_pushed(const SceneState& next) {
+  if (std::none_of(pushed_.begin(), pushed_.end(), [](bool is_pushed) { return is_pushed; })) return;
+  const std::vector<RigidTransform> before = to_world(state_.current, Eigen::Vector3d::Zero());
+  const std::vector<RigidTransform> after = to_world(next.current, Eigen::Vector3d::Zero());
+  SettleCriterion still;
+  still.duration_s = 0.0;
+  for (std::size_t k = 0; k < pushed_.size(); ++k) {
+    if (settled_step({before[k], after[k]}, rollout_.time_step_s, still) == 0) pushed_[k] = false;
+  }
+}
+
+/// Whether every later step would be as this one: nothing moved, and nothing is to come.
+bool RolloutWorld::stays(const SceneState& next) const {
+  const auto same = [](const Pose& a, const Pose& b) {
+    return torch::equal(a.rotation, b.rotation) && torch::equal(a.translation, b.translation);
+  };
+  if (rollout_.control.size() > 1) return false;
+  const double now_s = forecast_.times_s.back();
+  for (const CandidateObject& object : objects_) {
+    if (object.track && object.track->times_s.back() > now_s) return false;
+    for (const Push& push : object.pushes) {
+      if (push.time_s >= now_s) return false;
+    }
+  }
+  return same(next.current, state_.current) && same(next.previous, state_.previous) &&
+         same(next.previous, next.current);
+}
+
+void RolloutWorld::repeat() {
+  const int last = steps_done();
+  forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);
+  for (ObjectTrajectory& object : forecast_.objects) object.poses.push_back(object.poses.back());
+  std::vector<StepContact> contacts;
+  for (const StepContact& contact : forecast_.contacts) {
+    if (contact.step == last) contacts.push_back(contact);
+  }
+  for (StepContact& contact : contacts) contact.step = last + 1;
+  forecast_.contacts.insert(forecast_.contacts.end(), contacts.begin(), contacts.end());
+}
+
+}  // namespace rigidformer

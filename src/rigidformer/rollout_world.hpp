@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 rigidformer_ros contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "rigidformer/candidate_objects.hpp"
+#include "rigidformer/engine/body_motion.hpp"
+#include "rigidformer/model/rest.hpp"
+#include "rigidformer/perceived_objects.hpp"
+#include "rigidformer/world_contacts.hpp"
+
+namespace rigidformer {
+
+/// What takes the steps of a rollout.
+struct StepMaker {
+  RigidFormer model;
+  RestLimits rest;
+  Fidelity fidelity = Fidelity::kModel;
+};
+
+/// One scene on its way through the network (paper §3) or the engine, with a world of its own: it is never restored to
+/// an earlier state, and nothing in it depends on other scenes. Worlds of one perception may be stepped in several
+/// threads at once.
+class RolloutWorld {
+ public:
+  /// `perceived` holds exactly `objects`, in that order. Writes the observation and all steps to `forecast`, which is
+  /// empty at first. Throws CandidateError.
+  RolloutWorld(const StepMaker& maker, PerceivedObjects perceived, std::vector<CandidateObject> objects,
+               const RolloutOptions& rollout, Forecast& forecast);
+  RolloutWorld(const RolloutWorld&) = delete;
+  RolloutWorld& operator=(const RolloutWorld&) = delete;
+
+  void step();
+
+ private:
+  void assume_roles();
+  void make_steps();
+  void check_overlaps() const;
+  void set_twists();
+  BodyPoses body_poses() const;
+  void set_motion(std::size_t k, const BodyPoses& poses, const BodyState& motion);
+  void push();
+  void set_coming();
+  void set_command();
+  Tensor exempt() const;
+  std::vector<bool> moved_by_others() const;
+  StepPrediction predict();
+  void record(SceneState& next);
+  void freeze(SceneState& next, std::int64_t k);
+  void record_contacts();
+  void settle_pushed(const SceneState& next);
+  bool stays(const SceneState& next) const;
+  void repeat();
+  int steps_done() const { return static_cast<int>(forecast_.times_s.size()) - 1; }
+
+  StepMaker maker_;
+  RolloutOptions rollout_;
+  PerceivedObjects perceived_;
+  std::vector<CandidateObject> objects_;
+  SolidScene solids_;
+  SceneState state_;
+  NearestSearch nearest_;
+  EngineStep engine_;
+  ContactSearch contacts_;
+  std::vector<bool> pushed_;  ///< Set in motion by a twist or a push, and not at rest since
+  std::vector<PressedPair> pressed_;
+  std::vector<ObjectPair> met_;  ///< That free motion brings together during the step
+  bool is_over_ = false;         ///< Nothing will change any more
+  Forecast& forecast_;
+};
+
+}  // namespace rigidformer
