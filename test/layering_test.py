@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # From the lowest to the highest. The layer `predictor` is the files of FACADE.
 LAYERS = ['io', 'geometry', 'scene', 'data', 'simulation', 'tracking', 'model', 'engine', 'predictor', 'windows',
           'training', 'evaluation', 'baselines']
-FACADE = {'predictor', 'rollout', 'network_rollout', 'usable_rollout'}
+FACADE = {'predictor', 'rollout', 'network_rollout', 'usable_rollout', 'length_scale'}
 ROOMS = ['messages', 'parameters', 'forecast', 'health', 'inputs', 'services', 'outputs', 'node', 'simulated']
 SIMULATED = ['playback', 'demo', 'camera', 'accuracy']
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -87,22 +86,11 @@ void store_object(SceneTensors& tensors, std::int64_t s, std::int64_t k, const R
   }
 }
 
-/// Everything that is learned counts time in frames of 1/240 s.
-void check_frame_rate(const SceneArchive& archive, const SceneRecording& scene) {
-  if (std::abs(scene.frame_rate_hz - kFrameRateHz) <= 1e-3 * kFrameRateHz) return;
-  std::ostringstream text;
-  text << "scene '" << scene.name << "' of set '" << archive.set << "': frame_rate is " << scene.frame_rate_hz
-       << ", training accepts " << kFrameRateHz
-       << " frames per second only: record or resample the scenes at that rate";
-  throw std::invalid_argument(text.str());
-}
-
 /// Makes the tensors of all scenes, without objects yet.
 SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   std::int64_t S = 0, F = 0, K = 0;
   for (const SceneArchive& archive : archives) {
     for (const SceneRecording& scene : archive.scenes) {
-      check_frame_rate(archive, scene);
       F = std::max<std::int64_t>(F, scene.num_frames);
       K = std::max<std::int64_t>(K, static_cast<std::int64_t>(scene.objects.size()));
       ++S;
@@ -121,6 +109,7 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   tensors.frame_count = torch::zeros({S}, torch::kInt64);
   tensors.dynamic_mask = torch::zeros({S, K}, torch::kBool);
   tensors.properties_known = torch::zeros({S, K, 3});
+  tensors.frame_rate = torch::zeros({S}, torch::kFloat64);
   return tensors;
 }
 
@@ -136,6 +125,16 @@ std::vector<std::int64_t> SceneTensors::frame_counts() const {
   return {counts.data_ptr<std::int64_t>(), counts.data_ptr<std::int64_t>() + counts.numel()};
 }
 
+std::vector<double> SceneTensors::frame_rates() const {
+  const Tensor rates = frame_rate.to(torch::kCPU);
+  return {rates.data_ptr<double>(), rates.data_ptr<double>() + rates.numel()};
+}
+
+int frames_at_rate(int frames, double frame_rate_hz) {
+  constexpr double kTolerance = 0.05;  // [frames] rates are measured: 9.99 frames are ten
+  return std::max(1, static_cast<int>(std::floor(frames * frame_rate_hz / kFrameRateHz + kTolerance)));
+}
+
 SceneTensors SceneTensors::to(const torch::Device& device) const {
   return {poses.to(device),
           object_mask.to(device),
@@ -149,7 +148,8 @@ SceneTensors SceneTensors::to(const torch::Device& device) const {
           shape_point_count.to(device),
           frame_count.to(device),
           dynamic_mask.to(device),
-          properties_known.to(device)};
+          properties_known.to(device),
+          frame_rate.to(device)};
 }
 
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
@@ -165,6 +165,7 @@ SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const
     for (const SceneRecording& scene : archive.scenes) {
       tensors.gravity[s] = scene.gravity.z();
       tensors.frame_count[s] = scene.num_frames;
+      tensors.frame_rate[s] = scene.frame_rate_hz;
       for (size_t k = 0; k < scene.objects.size(); ++k) {
         store_object(tensors, s, static_cast<std::int64_t>(k), scene.objects[k], index_of.at(scene.objects[k].shape));
       }

@@ -30,6 +30,7 @@ struct SceneTensors {
   Tensor frame_count;        ///< [S] int64, at most F: frames after it do not exist
   Tensor dynamic_mask;       ///< [S, K] bool, objects that move
   Tensor properties_known;   ///< [S, K, 3] 1 where the recording says them; others hold the means of the MOVi sets
+  Tensor frame_rate;         ///< [S] frames per second
 
   std::int64_t num_scenes() const { return poses.size(0); }
   std::int64_t num_frames() const { return poses.size(1); }
@@ -41,10 +42,17 @@ struct SceneTensors {
   /// Number of frames of every scene.
   std::vector<std::int64_t> frame_counts() const;
 
+  /// Frames per second of every scene.
+  std::vector<double> frame_rates() const;
+
   SceneTensors to(const torch::Device& device) const;
 };
 
-/// Throws std::invalid_argument when there is no scene, or when one has another frame rate than kFrameRateHz.
+/// Number of frames of a scene in `frames` frames of 1/240 s: at least 1, else rounded down, so that no step becomes
+/// longer than a network is told to expect.
+int frames_at_rate(int frames, double frame_rate_hz);
+
+/// Throws std::invalid_argument when there is no scene.
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options);
 
 }  // namespace rigidformer
