@@ -16,17 +16,20 @@
 #include "rigidformer/baselines/physics_engine.hpp"
 #include "rigidformer/data/scene_loader.hpp"
 #include "rigidformer/evaluation/ballistic.hpp"
+#include "rigidformer/evaluation/length_scaled_forecaster.hpp"
 #include "rigidformer/evaluation/model_forecaster.hpp"
 #include "rigidformer/evaluation/protocol.hpp"
 #include "rigidformer/evaluation/report.hpp"
 #include "rigidformer/evaluation/report_folder.hpp"
+#include "rigidformer/evaluation/scene_error_table.hpp"
+#include "rigidformer/length_scale.hpp"
 #include "rigidformer/model/threads.hpp"
 
 namespace {
 
 using namespace rigidformer;
 
-constexpr int kReportFrames = 240;  // how far a report follows the error
+constexpr int kReportFrames = 240, kReport_ms = 2000;  // how far a report follows the error
 
 /// Share done and the time left at the mean pace so far, on stderr: one line renewed every second on a terminal, a new
 /// line every half minute in a log.
@@ -69,16 +72,43 @@ std::vector<std::unique_ptr<Forecaster>> make_forecasters(const EvaluateOptions&
   return forecasters;
 }
 
-/// Scores of all sets; with the report on the way, if one is asked for.
-std::vector<Score> score_sets(const EvaluateOptions& options, const std::vector<Forecaster*>& contestants) {
+/// Real lengths over trained ones for the objects of a set.
+double length_scale_of(const EvaluateOptions& options, const SceneArchive& archive, const Predictor* predictor) {
+  if (options.length_scale) return *options.length_scale;
+  if (predictor == nullptr) throw std::invalid_argument("--length-scale auto needs a model, whose sizes it goes by");
+  const double scale = automatic_length_scale(archive, predictor->info().min_size_m, predictor->info().max_size_m);
+  std::fprintf(stderr, "evaluate: set %s has length scale %.4g\n", archive.set.c_str(), scale);
+  return scale;
+}
+
+/// Scores one set at its scale. The camera comes as much closer as the objects are smaller.
+std::vector<Score> score_set(const SceneArchive& archive, const std::vector<Forecaster*>& contestants, double scale,
+                             ProtocolOptions protocol, const ResultSink& sink) {
+  protocol.observation.camera_world *= scale;
+  std::vector<std::unique_ptr<Forecaster>> scaled;
+  std::vector<Forecaster*> at_scale;
+  for (Forecaster* contestant : contestants) {
+    scaled.push_back(std::make_unique<LengthScaledForecaster>(*contestant, scale));
+    at_scale.push_back(scaled.back().get());
+  }
+  return evaluate(archive, at_scale, protocol, ProgressLine(archive.set), sink);
+}
+
+/// Scores of all sets; with the report and the table of scenes on the way, where asked for.
+std::vector<Score> score_sets(const EvaluateOptions& options, const std::vector<Forecaster*>& contestants,
+                              const Predictor* predictor) {
   ProtocolOptions protocol = options.protocol;
   std::unique_ptr<ReportFolder> report;
-  ResultSink sink;
   if (!options.report_dir.empty()) {
-    protocol.curve_frames = kReportFrames;
+    protocol.curve_end = protocol.horizon_unit == HorizonUnit::kFrames ? kReportFrames : kReport_ms;
+    protocol.to_the_end = true;
     report = std::make_unique<ReportFolder>(options.report_dir, contestants.front()->name(), protocol);
-    sink = [&report](const SceneResult& result) { report->add(result); };
   }
+  SceneErrorTable table(protocol);
+  const ResultSink sink = [&](const SceneResult& result) {
+    if (report) report->add(result);
+    table.add(result);
+  };
   std::vector<Score> scores;
   for (const std::string& path : options.data) {
     const std::filesystem::path shapes_dir = options.shapes_dir;
@@ -86,12 +116,14 @@ std::vector<Score> score_sets(const EvaluateOptions& options, const std::vector<
     for (const std::string& sentence : scenes_left_out(archive, protocol)) {
       std::fprintf(stderr, "evaluate: %s\n", sentence.c_str());
     }
-    const auto of_set = evaluate(archive, contestants, protocol, ProgressLine(archive.set), sink);
+    const double scale = length_scale_of(options, archive, predictor);
+    const auto of_set = score_set(archive, contestants, scale, protocol, sink);
     scores.insert(scores.end(), of_set.begin(), of_set.end());
   }
   if (report) {
     report->write(scores);
   }
+  if (!options.scene_errors_file.empty()) table.write(options.scene_errors_file);
   return scores;
 }
 
@@ -109,8 +141,8 @@ void run(const EvaluateOptions& options) {
   for (const auto& forecaster : forecasters) {
     contestants.push_back(forecaster.get());
   }
-  const std::vector<Score> scores = score_sets(options, contestants);
-  print_scores(std::cout, scores);
+  const std::vector<Score> scores = score_sets(options, contestants, predictor.get());
+  print_scores(std::cout, scores, options.protocol.horizon_unit);
   if (!options.json_file.empty()) {
     write_scores_json(options.json_file, scores, options.protocol);
   }

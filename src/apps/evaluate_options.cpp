@@ -3,10 +3,12 @@
 #include "evaluate_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
 #include "rigidformer/baselines/physics_engine.hpp"
+#include "rigidformer/length_scale.hpp"
 
 namespace rigidformer {
 namespace {
@@ -56,9 +58,15 @@ void add_protocol_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--shapes", options.shapes_dir, "Meshes of the shapes in KuBasic layout, for Kubric folders");
   app.add_option("--starts", protocol.starts, "First given frames")->delimiter(',')->capture_default_str();
   app.add_option("--steps", protocol.steps, "Frames per step")->delimiter(',')->capture_default_str();
-  app.add_option("--horizons", protocol.horizons, "Frames after the start that are scored")
+  auto* horizons = app.add_option("--horizons", protocol.horizons, "Frames after the start that are scored")
+                       ->delimiter(',')
+                       ->capture_default_str();
+  app.add_option("--horizons-s", options.horizons_s, "Instead: times after the start that are scored [s]")
       ->delimiter(',')
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber)
+      ->excludes(horizons);
+  app.add_flag("--to-the-end", protocol.to_the_end,
+               "Roll out to the end of each recording: which objects that rest there lie on the right face");
   app.add_flag("--resting", protocol.resting_only,
                "Score only objects that lie still from the start to the last horizon: their error is drift");
   app.add_option("--scenes", protocol.max_scenes, "Scenes per set, 0 = all")->capture_default_str();
@@ -72,6 +80,9 @@ void add_observation_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--properties", options.properties, "Mass, friction and restitution are known or unknown")
       ->check(CLI::IsMember({"known", "unknown"}))
       ->capture_default_str();
+  app.add_option("--friction", observation.friction, "Told of every object instead of what is recorded")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--restitution", observation.restitution, "Likewise")->check(CLI::Range(0.0, 1.0));
   app.add_option("--noise", observation.noise_m, "Standard deviation of the points [m]")->capture_default_str();
   app.add_option("--mask", observation.masked_fraction, "Share of the points dropped at random")->capture_default_str();
   app.add_option("--mask-box", observation.boxed_fraction,
@@ -88,6 +99,14 @@ void resolve(EvaluateOptions& options) {
   if (options.model.file.empty()) {
     options.model.file = shipped_model();
   }
+  options.length_scale = length_scale_from(options.length_scale_text);
+  if (!options.horizons_s.empty()) {
+    options.protocol.horizon_unit = HorizonUnit::kMilliseconds;
+    options.protocol.horizons.clear();
+    for (const double time_s : options.horizons_s) {
+      options.protocol.horizons.push_back(static_cast<int>(std::lround(1000.0 * time_s)));
+    }
+  }
   options.protocol.validate();
 }
 
@@ -99,7 +118,12 @@ EvaluateOptions read_command_line(int argc, char** argv) {
   add_model_options(app, options);
   add_protocol_options(app, options);
   add_observation_options(app, options);
+  app.add_option("--length-scale", options.length_scale_text,
+                 "Real lengths over trained ones: forecasters see lengths divided by it and times by its root; auto = "
+                 "from the objects of each set and the sizes that the model was trained on")
+      ->capture_default_str();
   app.add_option("--json", options.json_file, "Also write the scores to this file");
+  app.add_option("--scene-errors", options.scene_errors_file, "Also write the errors of every scene to this CSV");
   app.add_option("--report", options.report_dir,
                  "Also write tables, plots, breakdowns and worst scenes to this folder");
   try {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct EvaluateOptions {
   std::vector<std::string> baselines{"ballistic"};
   std::string points = "256";
   std::string properties = "known";
+  std::string length_scale_text = "1";
+  std::vector<double> horizons_s;
+  std::optional<double> length_scale = 1.0;  ///< Real over trained length; none = from the objects of each set
   std::string json_file;
+  std::string scene_errors_file;
   std::string report_dir;
   ProtocolOptions protocol;
 };

@@ -19,6 +19,11 @@ int main(int argc, char** argv) {
   app.add_option("--out", command.paths.output, "Output folder")->required();
   app.add_option("--init", command.paths.initial_model,
                  "Start from the weights of this model; what the new one has beyond it starts at zero");
+  app.add_option(
+         "--length-scale", command.length_scale,
+         "Real lengths over those to learn from: lengths are divided by it, frame rates multiplied by its root; "
+         "auto = from the objects and the sizes that the model of --init was trained on")
+      ->capture_default_str();
   app.add_option("--device", command.machine.device, "auto, cpu, cuda or cuda:N")->capture_default_str();
   app.add_option("--threads", command.machine.num_threads, "CPU threads of tensor operations")->capture_default_str();
   app.add_option("--iterations", command.iterations, "Instead of the number in the training file");

@@ -41,7 +41,7 @@ class Breakdown {
   /// For every number of objects in a scene: the mean over such scenes of the scene's error.
   std::map<RoundKey, std::map<int, PartialScore>> by_num_objects() const;
 
-  /// For every frame after the start: the mean over the scenes that are long enough.
+  /// For every frame (or millisecond, as horizons count) of the curves: the mean over the scenes that are long enough.
   std::map<RoundKey, std::map<int, PartialScore>> by_frame() const;
 
  private:

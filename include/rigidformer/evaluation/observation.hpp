@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,12 @@ namespace rigidformer {
 /// The part of the truth that a forecaster gets to see.
 struct ObservationOptions {
   int num_points = 256;          ///< Surface samples per object; 0 = the vertices of the shape instead
-  bool known_properties = true;  ///< false: mass, friction and restitution are left empty, and those of the ground
-  double noise_m = 0.0;          ///< Standard deviation of each coordinate of the points [m]
-  double masked_fraction = 0.0;  ///< Share of the points that is dropped at random, in [0, 1)
-  double boxed_fraction = 0.0;   ///< Share that is dropped inside a random box of every object, in [0, 1)
-  bool one_view = false;         ///< Keep only points whose outward normal faces the camera at the later given frame
+  bool known_properties = true;  ///< false: mass, friction and restitution are left empty, those of the ground too
+  std::optional<double> friction, restitution;  ///< Told of every object instead of what is recorded
+  double noise_m = 0.0;                         ///< Standard deviation of each coordinate of the points [m]
+  double masked_fraction = 0.0;                 ///< Share of the points that is dropped at random, in [0, 1)
+  double boxed_fraction = 0.0;  ///< Share that is dropped inside a random box of every object, in [0, 1)
+  bool one_view = false;        ///< Keep only points whose outward normal faces the camera at the later given frame
   Eigen::Vector3d camera_world{7.5, -6.5, 5.3};  ///< Position of that camera [m]; chosen by eye
 
   /// Throws std::invalid_argument naming field and value.

@@ -10,9 +10,9 @@
 
 namespace rigidformer {
 
-/// Prints one row per set, start, step and model with a "position m / orientation deg" cell per horizon, and notes
-/// below which cells were interpolated between two steps.
-void print_scores(std::ostream& out, const std::vector<Score>& scores);
+/// Prints one row per set, start, step and model with a "position m / orientation deg / position in % of the size" cell
+/// per horizon, and notes below which cells were interpolated between two steps and what ends on the right face.
+void print_scores(std::ostream& out, const std::vector<Score>& scores, HorizonUnit unit = HorizonUnit::kFrames);
 
 /// Writes {"conditions": {...}, "results": [...]}. Throws std::runtime_error naming the path when it cannot be written.
 void write_scores_json(const std::filesystem::path& path, const std::vector<Score>& scores,

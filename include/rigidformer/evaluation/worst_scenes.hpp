@@ -24,9 +24,9 @@ struct ScenePaths {
 /// scene counts once, with its worst step size.
 class WorstScenes {
  public:
-  /// `horizon` counts frames after the start.
-  WorstScenes(std::string model, int horizon, int kept_per_start)
-      : model_(std::move(model)), horizon_(horizon), kept_per_start_(kept_per_start) {}
+  /// `horizon` counts from the start in `unit`.
+  WorstScenes(std::string model, int horizon, int kept_per_start, HorizonUnit unit = HorizonUnit::kFrames)
+      : model_(std::move(model)), horizon_(horizon), kept_per_start_(kept_per_start), unit_(unit) {}
 
   /// Takes a result in; results of other models are ignored.
   void add(const SceneResult& result);
@@ -35,8 +35,11 @@ class WorstScenes {
   std::vector<ScenePaths> list() const;
 
  private:
+  int last_frame(const SceneResult& result) const;
+
   std::string model_;
   int horizon_, kept_per_start_;
+  HorizonUnit unit_;
   std::map<std::pair<std::string, int>, std::vector<ScenePaths>> worst_;
 };
 

@@ -18,7 +18,8 @@ struct TrainCommand {
   std::vector<std::string> overrides;  ///< "key=value" that go before the training file, see load_training_options()
   TrainingPaths paths;
   TrainingMachine machine;
-  std::int64_t iterations = 0;  ///< Number of iterations; 0 = as in the training file
+  std::string length_scale = "1";  ///< A number above 0, or auto; goes into paths
+  std::int64_t iterations = 0;     ///< Number of iterations; 0 = as in the training file
 };
 
 /// The keys of a training file with defaults, accepted values and meanings.

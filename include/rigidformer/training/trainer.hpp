@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct TrainingPaths {
   std::filesystem::path shapes;                   ///< Shape library for Kubric folders; may be empty
   std::filesystem::path output;                   ///< Folder for the state, model.safetensors, log.csv and loss.svg
   std::filesystem::path initial_model;            ///< Weights to start from; may be empty
+  /// Real lengths of all scenes over those to learn from; none = from the sizes that the initial model was trained on.
+  std::optional<double> length_scale = 1.0;
 };
 
 /// How a training run uses the machine.

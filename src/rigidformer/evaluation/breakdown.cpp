@@ -14,9 +14,11 @@ PoseError root_mean_square(const std::vector<PoseError>& objects) {
   for (const PoseError& object : objects) {
     sum.position_rmse_m += object.position_rmse_m * object.position_rmse_m;
     sum.orientation_rmse_deg += object.orientation_rmse_deg * object.orientation_rmse_deg;
+    sum.position_rmse_sizes += object.position_rmse_sizes * object.position_rmse_sizes;
   }
   const auto count = static_cast<double>(objects.size());
-  return {std::sqrt(sum.position_rmse_m / count), std::sqrt(sum.orientation_rmse_deg / count)};
+  return {std::sqrt(sum.position_rmse_m / count), std::sqrt(sum.orientation_rmse_deg / count),
+          std::sqrt(sum.position_rmse_sizes / count)};
 }
 
 /// Reduces every list of errors to one error with `reduce`.
@@ -51,8 +53,8 @@ void Breakdown::add(const SceneResult& result) {
     by_shape_[key][objects[i].shape].push_back(result.object_at_horizon.back().at(i));
   }
   by_num_objects_[key][static_cast<int>(objects.size())].push_back(result.at_horizon.back());
-  for (std::size_t k = 0; k < result.after_step.size(); ++k) {
-    by_frame_[key][result.step * (static_cast<int>(k) + 1)].push_back(result.after_step[k]);
+  for (const auto& [horizon, error] : result.curve) {
+    by_frame_[key][horizon].push_back(error);
   }
 }
 

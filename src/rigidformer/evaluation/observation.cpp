@@ -150,6 +150,8 @@ std::vector<ObjectState> Observer::observe(const SceneRecording& scene, int fram
     if (options_.known_properties) {
       object.properties = recorded.properties;
     }
+    if (options_.friction) object.properties.friction = options_.friction;
+    if (options_.restitution) object.properties.restitution = options_.restitution;
     objects.push_back(std::move(object));
   }
   return objects;

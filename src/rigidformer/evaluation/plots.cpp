@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "report_tables.hpp"
 #include "rigidformer/io/gnuplot.hpp"
 
 namespace rigidformer {
@@ -37,8 +38,8 @@ std::string plot_command(std::size_t count, Part part) {
 
 }  // namespace
 
-bool plot_error_curves(const std::filesystem::path& svg, const std::string& title, const ErrorCurves& curves,
-                       int last_frame) {
+bool plot_error_curves(const std::filesystem::path& svg, const std::string& title, const ErrorCurves& curves, int end,
+                       HorizonUnit unit) {
   std::string script = two_panels(svg, title);
   std::vector<std::string> models;
   for (const auto& [model, frames] : curves) {
@@ -49,7 +50,8 @@ bool plot_error_curves(const std::filesystem::path& svg, const std::string& titl
     script += data_block("model" + std::to_string(models.size()), rows);
     models.push_back(model);
   }
-  script += "set key top left\nset xlabel 'frame after the start'\nset xrange [0:" + std::to_string(last_frame) + "]\n";
+  script += "set key top left\nset xlabel '" + unit_name(unit) +
+            " after the start'\nset xrange [0:" + std::to_string(end) + "]\n";
   for (const auto& [column, label] : {std::pair("2", "position RMSE [m]"), std::pair("3", "orientation RMSE [deg]")}) {
     script += "set ylabel '" + std::string(label) + "'\n" + plot_command(models.size(), [&](std::size_t i) {
                 return "$model" + std::to_string(i) + " using 1:" + column + " with lines lw 2 title " +

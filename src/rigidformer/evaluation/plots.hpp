@@ -11,13 +11,13 @@
 
 namespace rigidformer {
 
-/// Errors over the frames after the start, for every model.
+/// Errors over the frames (or milliseconds) after the start, for every model.
 using ErrorCurves = std::map<std::string, std::map<int, PartialScore>>;
 
-/// Draws the errors of position and orientation from frame 0 to `last_frame` as SVG; false
-/// when gnuplot is not installed.
-bool plot_error_curves(const std::filesystem::path& svg, const std::string& title, const ErrorCurves& curves,
-                       int last_frame);
+/// Draws the errors of position and orientation from the start to `end`, in `unit`, as SVG; false when gnuplot is not
+/// installed.
+bool plot_error_curves(const std::filesystem::path& svg, const std::string& title, const ErrorCurves& curves, int end,
+                       HorizonUnit unit);
 
 /// Draws recorded (solid) and predicted (dashed) paths from above and from the side as SVG, with a colour per object;
 /// false when gnuplot is not installed.

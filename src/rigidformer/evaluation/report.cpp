@@ -13,7 +13,7 @@
 namespace rigidformer {
 namespace {
 
-constexpr int kCellWidth = 16;
+constexpr int kCellWidth = 24;
 
 template <typename... Values>
 std::string format(const char* pattern, Values... values) {
@@ -27,7 +27,8 @@ bool same_row(const Score& a, const Score& b) {
 }
 
 std::string cell(const Score& score) {
-  return format("%8.4f /%6.2f", score.error.position_rmse_m, score.error.orientation_rmse_deg);
+  return format("%8.4f /%6.2f /%5.1f %%", score.error.position_rmse_m, score.error.orientation_rmse_deg,
+                100.0 * score.error.position_rmse_sizes);
 }
 
 std::string padded(const std::string& text) { return format("%*s", kCellWidth, text.c_str()); }
@@ -49,19 +50,31 @@ std::string interpolation_note(const std::vector<Score>& scores) {
   return text.empty() ? text : text + ".\n";
 }
 
+/// One line per row of the table about what rests at the end.
+void print_settled(std::ostream& out, const std::vector<Score>& scores) {
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const Score& score = scores[i];
+    if ((i > 0 && same_row(scores[i - 1], score)) || score.settled.num_settled == 0) continue;
+    out << format("%-14s %6d %5d %-12s", score.set.c_str(), score.start, score.step, score.model.c_str())
+        << format(" ends on the right face: %d of %d", score.settled.num_right_face, score.settled.num_settled) << '\n';
+  }
+}
+
 }  // namespace
 
-void print_scores(std::ostream& out, const std::vector<Score>& scores) {
+void print_scores(std::ostream& out, const std::vector<Score>& scores, HorizonUnit unit) {
+  const bool in_frames = unit == HorizonUnit::kFrames;
   std::vector<int> horizons;
   for (const Score& score : scores) {
     if (std::find(horizons.begin(), horizons.end(), score.horizon) == horizons.end()) {
       horizons.push_back(score.horizon);
     }
   }
-  out << "Position RMSE [m] / orientation RMSE [deg], mean over scenes, h frames after the start frame.\n"
+  out << "Position RMSE [m] / orientation RMSE [deg] / position in % of the size, mean over scenes, "
+      << (in_frames ? "h frames" : "h") << " after the start frame.\n"
       << format("%-14s %6s %5s %-12s %6s", "set", "start", "step", "model", "scenes");
   for (const int horizon : horizons) {
-    out << padded("h = " + std::to_string(horizon));
+    out << padded(in_frames ? "h = " + std::to_string(horizon) : format("h = %.3g s", horizon / 1000.0));
   }
   out << padded("compute s/s") << '\n';
   for (std::size_t i = 0; i < scores.size(); ++i) {
@@ -75,7 +88,8 @@ void print_scores(std::ostream& out, const std::vector<Score>& scores) {
       out << padded(format("%.4f", score.compute_s_per_predicted_s)) << '\n';
     }
   }
-  out << interpolation_note(scores);
+  if (in_frames) out << interpolation_note(scores);
+  print_settled(out, scores);
 }
 
 void write_scores_json(const std::filesystem::path& path, const std::vector<Score>& scores,
@@ -85,21 +99,27 @@ void write_scores_json(const std::filesystem::path& path, const std::vector<Scor
   document["conditions"] = {
       {"points", observation.num_points == 0 ? nlohmann::json("vertices") : nlohmann::json(observation.num_points)},
       {"properties", observation.known_properties ? "known" : "unknown"},
+      {"friction", observation.friction ? nlohmann::json(*observation.friction) : nlohmann::json()},
+      {"restitution", observation.restitution ? nlohmann::json(*observation.restitution) : nlohmann::json()},
       {"noise_m", observation.noise_m},
       {"masked_fraction", observation.masked_fraction},
       {"one_view", observation.one_view},
       {"resting_only", protocol.resting_only}};
   document["results"] = nlohmann::json::array();
   for (const Score& score : scores) {
-    document["results"].push_back({{"model", score.model},
-                                   {"set", score.set},
-                                   {"start", score.start},
-                                   {"step", score.step},
-                                   {"horizon", score.horizon},
-                                   {"scenes", score.num_scenes},
-                                   {"position_rmse_m", score.error.position_rmse_m},
-                                   {"orientation_rmse_deg", score.error.orientation_rmse_deg},
-                                   {"compute_s_per_predicted_s", score.compute_s_per_predicted_s}});
+    document["results"].push_back(
+        {{"model", score.model},
+         {"set", score.set},
+         {"start", score.start},
+         {"step", score.step},
+         {protocol.horizon_unit == HorizonUnit::kFrames ? "horizon" : "horizon_ms", score.horizon},
+         {"scenes", score.num_scenes},
+         {"position_rmse_m", score.error.position_rmse_m},
+         {"orientation_rmse_deg", score.error.orientation_rmse_deg},
+         {"position_rmse_sizes", score.error.position_rmse_sizes},
+         {"settled", score.settled.num_settled},
+         {"right_face", score.settled.num_right_face},
+         {"compute_s_per_predicted_s", score.compute_s_per_predicted_s}});
   }
   save_text_file(path, document.dump(2) + '\n');
 }

@@ -14,7 +14,7 @@ namespace rigidformer {
 namespace {
 
 constexpr int kWorstPerStart = 3;
-constexpr int kShortPlot = 100;  // [frames], the published horizons
+constexpr int kShortPlot = 100;  // [frames], the published horizons, or [ms]
 constexpr const char* kNoPicture = "No picture: gnuplot is not installed.\n\n";
 
 int longest(const std::vector<int>& horizons) { return *std::max_element(horizons.begin(), horizons.end()); }
@@ -32,7 +32,7 @@ std::string file_name(std::string text) {
 std::string picture(const std::string& file) { return "![" + file + "](" + file + ")\n\n"; }
 
 std::string error_plots(const std::filesystem::path& folder,
-                        const std::map<RoundKey, std::map<int, PartialScore>>& by_frame) {
+                        const std::map<RoundKey, std::map<int, PartialScore>>& by_frame, HorizonUnit unit) {
   std::map<RoundKey, ErrorCurves> plots;  // without the model in the key
   for (const auto& [key, frames] : by_frame) {
     plots[{key.set, key.start, key.step, ""}][key.model] = frames;
@@ -48,7 +48,7 @@ std::string error_plots(const std::filesystem::path& folder,
     }
     for (const int end : {std::min(kShortPlot, last_frame), last_frame}) {
       const std::string file = file_name(name + "_to_" + std::to_string(end));
-      text += plot_error_curves(folder / file, title, curves, end) ? picture(file) : kNoPicture;
+      text += plot_error_curves(folder / file, title, curves, end, unit) ? picture(file) : kNoPicture;
       if (end == last_frame) break;
     }
   }
@@ -73,7 +73,7 @@ ReportFolder::ReportFolder(const std::filesystem::path& folder, const std::strin
     : folder_(folder),
       first_model_(first_model),
       options_(options),
-      worst_(first_model, longest(options.horizons), kWorstPerStart) {
+      worst_(first_model, longest(options.horizons), kWorstPerStart, options.horizon_unit) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) {
@@ -90,13 +90,15 @@ void ReportFolder::write(const std::vector<Score>& scores) const {
   write_scores_json(folder_ / "scores.json", scores, options_);
   const nlohmann::json parts = {{"by_shape", partial_json("shape", breakdown_.by_shape())},
                                 {"by_num_objects", partial_json("num_objects", breakdown_.by_num_objects())},
-                                {"by_frame", partial_json("frame", breakdown_.by_frame())}};
+                                {"by_frame", partial_json(unit_name(options_.horizon_unit), breakdown_.by_frame())}};
   save_text_file(folder_ / "breakdown.json", parts.dump(2) + '\n');
-  const std::string frame = " at frame " + std::to_string(longest(options_.horizons));
+  const std::string frame = " at " + horizon_text(longest(options_.horizons), options_.horizon_unit);
   std::ostringstream report;
-  report << "# Scores on recorded scenes\n\n" << conditions_text(options_) << "\n## Scores\n\n" << score_table(scores);
+  report << "# Scores on recorded scenes\n\n"
+         << conditions_text(options_) << "\n## Scores\n\n"
+         << score_table(scores) << settled_table(scores);
   report << "\n## Error over time\n\nMean over scenes of the error per scene.\n\n"
-         << error_plots(folder_, breakdown_.by_frame());
+         << error_plots(folder_, breakdown_.by_frame(), options_.horizon_unit);
   report << "## By shape," << frame << "\n\nRoot mean square over all objects of a shape.\n\n"
          << partial_table("shape", "objects", breakdown_.by_shape());
   report << "\n## By number of objects," << frame << "\n\nMean over scenes of the error per scene.\n\n"

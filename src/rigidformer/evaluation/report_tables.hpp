@@ -17,7 +17,16 @@ namespace rigidformer {
 /// Writes the Markdown parts of a report.
 std::string conditions_text(const ProtocolOptions& options);
 std::string score_table(const std::vector<Score>& scores);
+
+/// On which face settled objects end; empty where nobody looked.
+std::string settled_table(const std::vector<Score>& scores);
 std::string worst_scene_line(const ScenePaths& scene);
+
+/// "frame" or "ms".
+std::string unit_name(HorizonUnit unit);
+
+/// "frame 100" or "0.25 s".
+std::string horizon_text(int horizon, HorizonUnit unit);
 
 /// Writes an error as cells of a table, for example "0.0512 | 7.25".
 std::string error_columns(const PoseError& error);
@@ -55,6 +64,7 @@ nlohmann::json partial_json(const std::string& group, const std::map<RoundKey, s
                       {group, name},
                       {"count", score.count},
                       {"position_rmse_m", score.error.position_rmse_m},
+                      {"position_rmse_sizes", score.error.position_rmse_sizes},
                       {"orientation_rmse_deg", score.error.orientation_rmse_deg}});
     }
   }

@@ -7,14 +7,14 @@
 namespace rigidformer {
 namespace {
 
-ScenePaths paths_of(const SceneResult& result, int horizon) {
+ScenePaths paths_of(const SceneResult& result, int last_frame) {
   ScenePaths paths;
   paths.set = result.set;
   paths.scene = result.scene->name;
   paths.start = result.start;
   paths.step = result.step;
   paths.error = result.at_horizon.back();
-  const std::size_t num_poses = std::min<std::size_t>(horizon / result.step, result.predicted.front().size());
+  const std::size_t num_poses = std::min<std::size_t>(last_frame / result.step, result.predicted.front().size());
   for (std::size_t i = 0; i < result.predicted.size(); ++i) {
     const RecordedObject& object = result.scene->objects[i];
     paths.shapes.push_back(object.shape);
@@ -29,6 +29,11 @@ ScenePaths paths_of(const SceneResult& result, int horizon) {
 }
 
 }  // namespace
+
+int WorstScenes::last_frame(const SceneResult& result) const {
+  if (unit_ == HorizonUnit::kFrames) return horizon_;
+  return static_cast<int>(horizon_ * result.scene->frame_rate_hz / 1000.0);
+}
 
 void WorstScenes::add(const SceneResult& result) {
   if (result.model != model_) {
@@ -49,7 +54,7 @@ void WorstScenes::add(const SceneResult& result) {
   if (place - worst.begin() >= kept_per_start_) {
     return;
   }
-  worst.insert(place, paths_of(result, horizon_));
+  worst.insert(place, paths_of(result, last_frame(result)));
   worst.resize(std::min<std::size_t>(worst.size(), kept_per_start_));
 }
 

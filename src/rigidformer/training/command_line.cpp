@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "rigidformer/io/member_table.hpp"
+#include "rigidformer/length_scale.hpp"
 #include "rigidformer/training/options.hpp"
 #include "rigidformer/training/stages.hpp"
 
@@ -38,7 +39,9 @@ int run_train(const TrainCommand& command, std::ostream& log) {
     std::signal(SIGINT, [](int) { stop_requested = 1; });
     std::signal(SIGTERM, [](int) { stop_requested = 1; });
     machine.should_stop = [] { return stop_requested != 0; };
-    train_in_stages(stages, command.paths, machine);
+    TrainingPaths paths = command.paths;
+    paths.length_scale = length_scale_from(command.length_scale);
+    train_in_stages(stages, paths, machine);
     return 0;
   } catch (const std::exception& exception) {
     log << "train: " << exception.what() << std::endl;

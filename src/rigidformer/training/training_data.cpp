@@ -3,11 +3,13 @@
 #include "rigidformer/training/training_data.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <sstream>
 #include <stdexcept>
 
 #include "rigidformer/data/scene_loader.hpp"
+#include "rigidformer/length_scale.hpp"
 #include "rigidformer/training/validation.hpp"
 #include "rigidformer/windows/usable_scenes.hpp"
 
@@ -17,11 +19,22 @@ namespace {
 constexpr int kWindowsPerKind = 256;  // validation windows of each kind; chosen by eye
 constexpr int kValidationStep = 10;   // frames
 
-std::vector<SceneArchive> load_all(const std::vector<std::filesystem::path>& folders,
-                                   const std::filesystem::path& shapes) {
-  std::vector<SceneArchive> archives;
-  for (const auto& folder : folders) archives.push_back(load_scenes(folder, shapes));
-  return archives;
+/// The scale asked for, or the one that brings the objects to the sizes that the initial model was trained on.
+double length_scale_of(const SceneArchive& archive, const TrainingPaths& paths) {
+  if (paths.length_scale) return *paths.length_scale;
+  if (paths.initial_model.empty()) {
+    throw std::invalid_argument("--length-scale auto needs --init, the model whose sizes it goes by");
+  }
+  const TrainingFacts facts = load_checkpoint(paths.initial_model).facts;
+  return automatic_length_scale(archive, facts.min_diameter_m, facts.max_diameter_m);
+}
+
+/// Scenes at the size of what a model learns from.
+SceneArchive load_at_scale(const std::filesystem::path& folder, const TrainingPaths& paths, std::string& summary) {
+  SceneArchive archive = load_scenes(folder, paths.shapes);
+  const double scale = length_scale_of(archive, paths);
+  if (scale != 1.0) summary += "set '" + archive.set + "' has length scale " + std::to_string(scale) + "\n";
+  return to_model_scale(std::move(archive), scale);
 }
 
 /// Measures object diameters and speeds of centres of mass in the data: where the model can be trusted.
@@ -33,13 +46,28 @@ void measure_ranges(const SceneTensors& tensors, TrainingFacts& facts) {
   facts.max_diameter_m = diameter.max().item<double>();
   const Tensor position = tensors.poses.slice(-1, 0, 3);
   const Tensor step = position.slice(1, 1) - position.slice(1, 0, -1);
-  facts.max_speed_mps = tensors.frame_rate_hz * step.norm(2, -1).max().item<double>();
+  const Tensor speed = step.norm(2, -1) * tensors.frame_rate.reshape({-1, 1, 1});
+  facts.max_speed_mps = speed.max().item<double>();
+}
+
+/// The range of time steps that the scenes' own frames make of the steps asked for, in whole frames of 1/240 s.
+void measure_steps(const WindowOptions& windows, const SceneTensors& tensors, TrainingFacts& facts) {
+  const auto [least, most] = std::minmax_element(windows.step_sizes.begin(), windows.step_sizes.end());
+  const int smallest = windows.any_step_probability > 0.0 ? 1 : *least;
+  constexpr double kRounding = 0.01;  // [frames] rates are measured; steps of 8.96 frames lie between 8 and 9
+  double shortest = *most, longest = 0.0;
+  for (const double rate_hz : tensors.frame_rates()) {
+    shortest = std::min(shortest, frames_at_rate(smallest, rate_hz) * kFrameRateHz / rate_hz);
+    longest = std::max(longest, frames_at_rate(*most, rate_hz) * kFrameRateHz / rate_hz);
+  }
+  facts.min_step_frames = std::max(1, static_cast<int>(std::floor(shortest + kRounding)));
+  facts.max_step_frames = static_cast<int>(std::ceil(longest - kRounding));
 }
 
 std::vector<Window> draw_windows(WindowOptions options, const ContactEvents& events, const SceneTensors& tensors) {
   options.step_sizes = {kValidationStep};
   options.any_step_probability = 0.0;
-  const WindowSampler sampler(options, events, tensors.object_counts(), tensors.frame_counts());
+  const WindowSampler sampler(options, events, tensors.object_counts(), tensors.frame_counts(), tensors.frame_rates());
   std::mt19937_64 random(7);
   std::vector<Window> windows;
   for (int i = 0; i < kWindowsPerKind; ++i) windows.push_back(sampler.draw(1, random));
@@ -62,26 +90,32 @@ void add_validation_windows(const SceneTensors& tensors, TrainingData& data) {
   data.validation_windows.emplace_back("any time", draw_windows(WindowOptions(), events, tensors));
 }
 
-/// The shortest scene that every window of the run fits into.
-int least_frames(const TrainingOptions& options) {
-  const auto& sizes = options.windows.step_sizes;
-  int least = sizes.empty() ? 1 : 1 + 2 * *std::max_element(sizes.begin(), sizes.end());
-  for (const UnrollStage& stage : options.unroll) least = std::max(least, stage.steps + 2);
-  return least;
+/// Frames of 1/240 s in as many frames of the model.
+int in_frames_of_240_hz(int frames, const ModelOptions& model) {
+  return static_cast<int>(std::lround(frames * kFrameRateHz / model.frame_rate_hz));
+}
+
+/// What the windows of the run need of a scene.
+WindowNeeds needs_of(const WindowOptions& windows, const TrainingOptions& options) {
+  const auto& sizes = windows.step_sizes;
+  WindowNeeds needs;
+  if (!sizes.empty()) needs.longest_step = *std::max_element(sizes.begin(), sizes.end());
+  for (const UnrollStage& stage : options.unroll) needs.unrolled_steps = std::max(needs.unrolled_steps, stage.steps);
+  return needs;
 }
 
 /// Scenes never learned from. Rollouts from later starts need longer ones; the first must fit.
 void load_validation(const std::filesystem::path& folder, const TrainingPaths& paths, const PointSetOptions& points,
-                     double frame_rate_hz, const torch::Device& device, TrainingData& data) {
-  std::vector<SceneArchive> archives = {load_scenes(folder, paths.shapes)};
+                     const torch::Device& device, TrainingData& data) {
+  std::vector<SceneArchive> archives = {load_at_scale(folder, paths, data.summary)};
   const ValidationOptions rollouts;
-  data.summary += leave_out_unusable_scenes(archives.front(), 1 + 2 * kValidationStep);
-  const SceneTensors scenes = make_scene_tensors(archives, points, frame_rate_hz);
+  data.summary += leave_out_unusable_scenes(archives.front(), {kValidationStep, 1});
+  const SceneTensors scenes = make_scene_tensors(archives, points);
   for (const int start : rollouts.start_frames) {
     if (!scenes_reaching(scenes, start, rollouts).empty()) continue;
     const std::string sentence = "validation '" + folder.string() + "': rollouts from frame " + std::to_string(start) +
-                                 " need scenes of " + std::to_string(rollouts.last_frame(start) + 1) +
-                                 " frames, the longest has " + std::to_string(scenes.num_frames());
+                                 " need scenes of " + std::to_string(rollouts.last_frame(start, kFrameRateHz) + 1) +
+                                 " frames at 240 Hz, the longest has " + std::to_string(scenes.num_frames());
     if (start == rollouts.start_frames.front()) throw std::invalid_argument(sentence);
     data.summary += sentence + ": this start is left out\n";
   }
@@ -94,35 +128,32 @@ void load_validation(const std::filesystem::path& folder, const TrainingPaths& p
 TrainingData load_training_data(const TrainingPaths& paths, const TrainingOptions& options,
                                 const torch::Device& device) {
   TrainingData data;
+  WindowOptions windows = options.windows;
+  for (int& step : windows.step_sizes) step = in_frames_of_240_hz(step, options.model);
+  std::vector<SceneArchive> archives;
+  for (const auto& folder : paths.data) archives.push_back(load_at_scale(folder, paths, data.summary));
   std::ostringstream summary;
-  std::vector<SceneArchive> archives = load_all(paths.data, paths.shapes);
   for (SceneArchive& archive : archives) {
-    summary << leave_out_unusable_scenes(archive, least_frames(options));
+    summary << leave_out_unusable_scenes(archive, needs_of(windows, options));
     data.facts.data +=
         (data.facts.data.empty() ? "" : ", ") + archive.set + " " + std::to_string(archive.scenes.size());
   }
-  const SceneTensors tensors = make_scene_tensors(archives, options.point_sets, options.model.frame_rate_hz);
+  const SceneTensors tensors = make_scene_tensors(archives, options.point_sets);
   ContactEvents events = find_contact_events(tensors);
   summary << "training scenes: " << data.facts.data << "; contact frames: " << events.mid_air.size() << " mid-air, "
           << events.floor.size() << " floor, " << events.rolling.size() << " rolling, " << events.resting.size()
           << " resting\n";
   measure_ranges(tensors, data.facts);
-  const auto [smallest, largest] =
-      std::minmax_element(options.windows.step_sizes.begin(), options.windows.step_sizes.end());
-  const double unit = kFrameRateHz / options.model.frame_rate_hz;
-  data.facts.min_step_frames = unit * (options.windows.any_step_probability > 0.0 ? 1 : *smallest);
-  data.facts.max_step_frames = unit * *largest;
-  data.sampler = std::make_shared<WindowSampler>(options.windows, std::move(events), tensors.object_counts(),
-                                                 tensors.frame_counts());
+  measure_steps(windows, tensors, data.facts);
+  data.sampler = std::make_shared<WindowSampler>(windows, std::move(events), tensors.object_counts(),
+                                                 tensors.frame_counts(), tensors.frame_rates());
   data.training = tensors.to(device);
 
   PointSetOptions validation_points = options.point_sets;
   validation_points.seed += 1000003;  // other surface samples than those of training
   validation_points.points_per_set = options.model.max_points;
-  data.summary = summary.str();
-  for (const auto& folder : paths.validation) {
-    load_validation(folder, paths, validation_points, options.model.frame_rate_hz, device, data);
-  }
+  data.summary += summary.str();
+  for (const auto& folder : paths.validation) load_validation(folder, paths, validation_points, device, data);
   return data;
 }
 

@@ -65,10 +65,11 @@ Tensor summed_errors(RigidFormer& model, const SceneTensors& tensors, const std:
                      const ValidationOptions& options) {
   Tensor sums = torch::zeros({4}, torch::kFloat64);
   const auto stride = static_cast<size_t>(options.batch_size);
+  const std::vector<double> rates_hz = tensors.frame_rates();
   for (size_t begin = 0; begin < scenes.size(); begin += stride) {
     std::vector<Window> windows;
     for (size_t i = begin; i < std::min(scenes.size(), begin + stride); ++i) {
-      windows.push_back({scenes[i], start, options.step_size});
+      windows.push_back(options.window(scenes[i], start, rates_hz[static_cast<size_t>(scenes[i])]));
     }
     const WindowBatch batch = make_window_batch(tensors, windows, options.num_steps, model->options.num_anchors,
                                                 no_augmentation(options.num_points));
@@ -87,9 +88,10 @@ Tensor summed_errors(RigidFormer& model, const SceneTensors& tensors, const std:
 
 std::vector<int> scenes_reaching(const SceneTensors& tensors, int start, const ValidationOptions& options) {
   const std::vector<std::int64_t> frames = tensors.frame_counts();
+  const std::vector<double> rates_hz = tensors.frame_rates();
   std::vector<int> scenes;
   for (size_t scene = 0; scene < frames.size(); ++scene) {
-    if (options.last_frame(start) < frames[scene]) scenes.push_back(static_cast<int>(scene));
+    if (options.last_frame(start, rates_hz[scene]) < frames[scene]) scenes.push_back(static_cast<int>(scene));
   }
   return scenes;
 }

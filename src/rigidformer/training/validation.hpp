@@ -19,8 +19,8 @@ struct RolloutScore {
   double ballistic_position_m = 0.0, ballistic_orientation_deg = 0.0;
 };
 
-/// The rollouts for validation: num_steps steps of step_size frames from each start frame. Frames and step size are
-/// the paper's, with later starts.
+/// The rollouts for validation: num_steps steps of step_size frames from each start frame, in frames of 1/240 s that
+/// become as many of the scene's own. Frames and step size are the paper's, with later starts.
 struct ValidationOptions {
   std::vector<int> start_frames = {0, 120, 240};
   int step_size = 10;
@@ -28,8 +28,15 @@ struct ValidationOptions {
   int num_points = kAllVertices;  ///< Or a number of surface samples per object
   int batch_size = 1;             ///< Scenes per forward pass; more would be padded to the largest mesh of all
 
-  /// Where a rollout from `start` ends.
-  int last_frame(int start) const { return start + step_size * (num_steps + 1); }
+  /// Where a rollout from `start` begins and ends in a scene of that rate.
+  Window window(int scene, int start, double frame_rate_hz) const {
+    const int first = start == 0 ? 0 : frames_at_rate(start, frame_rate_hz);
+    return {scene, first, frames_at_rate(step_size, frame_rate_hz)};
+  }
+  int last_frame(int start, double frame_rate_hz) const {
+    const Window rollout = window(0, start, frame_rate_hz);
+    return rollout.frame + rollout.step_size * (num_steps + 1);
+  }
 };
 
 /// The scenes that are long enough for a rollout from `start`.

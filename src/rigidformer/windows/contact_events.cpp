@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "rigidformer/model/batch.hpp"
-
 namespace rigidformer {
 namespace {
 
@@ -45,25 +43,30 @@ double lowest_point(const SceneTensors& tensors, const PoseRows& poses, std::int
   return poses[frame][k][2] + size * lowest;
 }
 
+struct SceneFrames {
+  double gravity;  ///< [m/s^2] along z
+  double frame_rate_hz;
+};
+
 /// Change of velocity at a frame that gravity does not explain [m/s].
-double velocity_jump(const PoseRows& poses, std::int64_t frame, std::int64_t k, float gravity, float rate_hz) {
+double velocity_jump(const PoseRows& poses, std::int64_t frame, std::int64_t k, const SceneFrames& scene) {
   Eigen::Vector3f jump =
       position(poses, frame + 1, k) - 2.0f * position(poses, frame, k) + position(poses, frame - 1, k);
-  jump *= rate_hz;
-  jump.z() -= gravity / rate_hz;
+  jump *= static_cast<float>(scene.frame_rate_hz);
+  jump.z() -= static_cast<float>(scene.gravity / scene.frame_rate_hz);
   return jump.norm();
 }
 
 /// The list that the moment belongs to, or none. `on_floor` is asked only where it matters, because it is costly.
 template <typename OnFloor>
-std::vector<ContactEvent>* list_for(const PoseRows& poses, std::int64_t frame, std::int64_t k, float gravity,
-                                    float rate_hz, const OnFloor& on_floor, ContactEvents& events) {
-  if (velocity_jump(poses, frame, k, gravity, rate_hz) >= kMinVelocityJump) {
+std::vector<ContactEvent>* list_for(const PoseRows& poses, std::int64_t frame, std::int64_t k, const SceneFrames& scene,
+                                    const OnFloor& on_floor, ContactEvents& events) {
+  if (velocity_jump(poses, frame, k, scene) >= kMinVelocityJump) {
     return on_floor() ? &events.floor : &events.mid_air;
   }
   if (frame % kLastingStride != 0) return nullptr;
-  const double speed = rate_hz * (position(poses, frame + 1, k) - position(poses, frame, k)).norm();
-  const double spin = rate_hz * rotation(poses, frame + 1, k).angularDistance(rotation(poses, frame, k));
+  const double speed = scene.frame_rate_hz * (position(poses, frame + 1, k) - position(poses, frame, k)).norm();
+  const double spin = scene.frame_rate_hz * rotation(poses, frame + 1, k).angularDistance(rotation(poses, frame, k));
   if (speed < kRestingSpeed_mps && spin < kRestingSpin_radps) return &events.resting;
   return speed > kRollingSpeed && on_floor() ? &events.rolling : nullptr;
 }
@@ -72,14 +75,13 @@ void find_in_scene(const SceneTensors& tensors, std::int64_t scene, ContactEvent
   const Tensor scene_poses = tensors.poses[scene], scene_objects = tensors.dynamic_mask[scene];
   const PoseRows poses = scene_poses.accessor<float, 3>();
   const auto moves = scene_objects.accessor<bool, 1>();
-  const float gravity = tensors.gravity[scene].item<float>();
-  const auto rate_hz = static_cast<float>(tensors.frame_rate_hz);
+  const SceneFrames of_scene{tensors.gravity[scene].item<double>(), tensors.frame_rate[scene].item<double>()};
   const std::int64_t num_frames = tensors.frame_count[scene].item<std::int64_t>();
   for (std::int64_t k = 0; k < moves.size(0); ++k) {
     if (!moves[k]) continue;
     for (std::int64_t frame = 1; frame + 1 < num_frames; ++frame) {
       const auto on_floor = [&] { return lowest_point(tensors, poses, scene, frame, k) < kFloorDistance; };
-      std::vector<ContactEvent>* list = list_for(poses, frame, k, gravity, rate_hz, on_floor, events);
+      std::vector<ContactEvent>* list = list_for(poses, frame, k, of_scene, on_floor, events);
       if (list) list->push_back({static_cast<std::int32_t>(scene), static_cast<std::int32_t>(frame)});
     }
   }

@@ -25,12 +25,13 @@ Tensor rotation_of(const Tensor& vector) {
 }  // namespace
 
 Pose free_motion_departure(const Pose& two_frames_before, const Pose& frame_before, const Pose& now,
-                           const SceneBatch& scene) {
-  const Tensor s = scene.step_size.reshape({-1, 1, 1});
+                           const SceneBatch& scene, const Tensor& frame_rate_hz) {
+  const Tensor rate = frame_rate_hz.to(now.translation.options()).reshape({-1, 1, 1});
+  const Tensor s = scene.step_size.reshape({-1, 1, 1}) * rate / kFrameRateHz;  // frames of the recording per step
   const Tensor step = now.translation - frame_before.translation;
   const Tensor bend = step - (frame_before.translation - two_frames_before.translation);
   // Change of the step per frame in free flight.
-  const Tensor fall = scene.gravity.reshape({-1, 1, 1}) / (kFrameRateHz * kFrameRateHz);
+  const Tensor fall = scene.gravity.reshape({-1, 1, 1}) / rate.square();
   const Tensor falls = (bend.slice(-1, 2) - fall).abs() < (bend.slice(-1, 2)).abs();
   const Tensor back = torch::cat({torch::zeros_like(step.slice(-1, 0, 2)), fall * falls}, -1) * (s * (s - 1.0) / 2.0);
   const Tensor turn = rotation_vector(torch::matmul(now.rotation, frame_before.rotation.transpose(-1, -2)));

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -95,16 +94,6 @@ void store_object(SceneTensors& tensors, std::int64_t s, std::int64_t k, const R
   }
 }
 
-/// A model learns from recordings of one rate.
-void check_frame_rate(const SceneArchive& archive, const SceneRecording& scene, double frame_rate_hz) {
-  if (std::abs(scene.frame_rate_hz - frame_rate_hz) <= 1e-3 * frame_rate_hz) return;
-  std::ostringstream text;
-  text << "scene '" << scene.name << "' of set '" << archive.set << "': frame_rate is " << scene.frame_rate_hz
-       << ", training accepts " << frame_rate_hz
-       << " frames per second only (model.frame_rate_hz): record or resample the scenes at that rate";
-  throw std::invalid_argument(text.str());
-}
-
 /// The commands of scene `s`; all scenes have them of one width, or none has any.
 void store_control(SceneTensors& tensors, std::int64_t s, const SceneArchive& archive, const SceneRecording& scene) {
   const auto width = static_cast<std::int64_t>(scene.control.empty() ? 0 : scene.control.front().size());
@@ -125,11 +114,10 @@ void store_control(SceneTensors& tensors, std::int64_t s, const SceneArchive& ar
 }
 
 /// Makes the tensors of all scenes, without objects yet.
-SceneTensors allocate(const std::vector<SceneArchive>& archives, double frame_rate_hz) {
+SceneTensors allocate(const std::vector<SceneArchive>& archives) {
   std::int64_t S = 0, F = 0, K = 0;
   for (const SceneArchive& archive : archives) {
     for (const SceneRecording& scene : archive.scenes) {
-      check_frame_rate(archive, scene, frame_rate_hz);
       F = std::max<std::int64_t>(F, scene.num_frames);
       K = std::max<std::int64_t>(K, static_cast<std::int64_t>(scene.objects.size()));
       ++S;
@@ -138,7 +126,6 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives, double frame_ra
   if (S == 0) throw std::invalid_argument("no scenes to learn from: the data folders are empty");
 
   SceneTensors tensors;
-  tensors.frame_rate_hz = frame_rate_hz;
   tensors.poses = torch::zeros({S, F, K, 7});
   tensors.poses.select(-1, 6).fill_(1.0);  // identity where there is no object
   tensors.object_mask = torch::zeros({S, K}, torch::kBool);
@@ -151,6 +138,7 @@ SceneTensors allocate(const std::vector<SceneArchive>& archives, double frame_ra
   tensors.properties_known = torch::zeros({S, K, 3});
   tensors.ground_material = torch::zeros({S, 2});
   tensors.ground_known = torch::zeros({S, 2});
+  tensors.frame_rate = torch::zeros({S}, torch::kFloat64);
   return tensors;
 }
 
@@ -164,6 +152,16 @@ std::vector<std::int64_t> SceneTensors::object_counts() const {
 std::vector<std::int64_t> SceneTensors::frame_counts() const {
   const Tensor counts = frame_count.to(torch::kCPU);
   return {counts.data_ptr<std::int64_t>(), counts.data_ptr<std::int64_t>() + counts.numel()};
+}
+
+std::vector<double> SceneTensors::frame_rates() const {
+  const Tensor rates = frame_rate.to(torch::kCPU);
+  return {rates.data_ptr<double>(), rates.data_ptr<double>() + rates.numel()};
+}
+
+int frames_at_rate(int frames, double frame_rate_hz) {
+  constexpr double kTolerance = 0.05;  // [frames] rates are measured: 9.99 frames are ten
+  return std::max(1, static_cast<int>(std::floor(frames * frame_rate_hz / kFrameRateHz + kTolerance)));
 }
 
 SceneTensors SceneTensors::to(const torch::Device& device) const {
@@ -180,11 +178,11 @@ SceneTensors SceneTensors::to(const torch::Device& device) const {
           frame_count.to(device),
           dynamic_mask.to(device),
           properties_known.to(device),
+          frame_rate.to(device),
           ground_material.to(device),
           ground_known.to(device),
           control.defined() ? control.to(device) : control,
-          control_directions,
-          frame_rate_hz};
+          control_directions};
 }
 
 Tensor rotation_matrix(const Tensor& quaternion) {
@@ -198,9 +196,8 @@ Tensor rotation_matrix(const Tensor& quaternion) {
       .unflatten(-1, {3, 3});
 }
 
-SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options,
-                                double frame_rate_hz) {
-  SceneTensors tensors = allocate(archives, frame_rate_hz);
+SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options) {
+  SceneTensors tensors = allocate(archives);
   std::vector<const Shape*> shapes;
   std::int64_t s = 0;
   for (const SceneArchive& archive : archives) {
@@ -214,6 +211,7 @@ SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const
       tensors.frame_count[s] = scene.num_frames;
       store_ground(tensors, s, scene.ground);
       store_control(tensors, s, archive, scene);
+      tensors.frame_rate[s] = scene.frame_rate_hz;
       for (size_t k = 0; k < scene.objects.size(); ++k) {
         store_object(tensors, s, static_cast<std::int64_t>(k), scene.objects[k], index_of.at(scene.objects[k].shape));
       }

@@ -30,11 +30,11 @@ struct SceneTensors {
   Tensor frame_count;          ///< [S] int64, at most F: frames after it do not exist
   Tensor dynamic_mask;         ///< [S, K] bool, objects that move
   Tensor properties_known;     ///< [S, K, 3] 1 where the recording says them; others hold the means of the MOVi sets
+  Tensor frame_rate;           ///< [S] frames per second
   Tensor ground_material;      ///< [S, 2] friction, restitution of the ground; 0 where unknown
   Tensor ground_known;         ///< [S, 2] 1 where the recording says them
   Tensor control = {};         ///< [S, F, C] command that counts from each frame on; undefined = nothing is commanded
   int control_directions = 0;  ///< So many horizontal vectors (x, y) end the command
-  double frame_rate_hz = 240.0;
 
   std::int64_t num_scenes() const { return poses.size(0); }
   std::int64_t num_frames() const { return poses.size(1); }
@@ -46,17 +46,20 @@ struct SceneTensors {
   /// Number of frames of every scene.
   std::vector<std::int64_t> frame_counts() const;
 
+  /// Frames per second of every scene.
+  std::vector<double> frame_rates() const;
+
   SceneTensors to(const torch::Device& device) const;
 };
 
 /// Rotation matrices [..., 3, 3] from unit quaternions x y z w [..., 4].
 Tensor rotation_matrix(const Tensor& quaternion);
 
-/// Throws std::invalid_argument when there is no scene, or when one has another frame rate than kFrameRateHz.
+/// Number of frames of a scene in `frames` frames of 1/240 s: at least 1, else rounded down, so that no step becomes
+/// longer than a network is told to expect.
+int frames_at_rate(int frames, double frame_rate_hz);
+
+/// Throws std::invalid_argument when there is no scene, or when one has commands of another width than the first.
 SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options);
-/// Throws std::invalid_argument when there is no scene, or when one has another frame rate than `frame_rate_hz` or
-/// commands of another width than the first.
-SceneTensors make_scene_tensors(const std::vector<SceneArchive>& archives, const PointSetOptions& options,
-                                double frame_rate_hz = 240.0);
 
 }  // namespace rigidformer

@@ -142,10 +142,11 @@ void keep_points(const PointCandidates& candidates, const Tensor& usable, const 
 
 /// The rows of the scene tensors that a batch is made of.
 struct WindowRows {
-  Tensor scene;      ///< [B] int64
-  Tensor frame;      ///< [B * T] int64 into flattened (scene, frame)
-  Tensor step_size;  ///< [B] frames
-  Tensor order;      ///< [B, K] which object stands where
+  Tensor scene;       ///< [B] int64
+  Tensor frame;       ///< [B * T] int64 into flattened (scene, frame)
+  Tensor step_size;   ///< [B] frames of 1/240 s; not whole where the scene has other frames
+  Tensor frame_rate;  ///< [B] frames of the scene per second
+  Tensor order;       ///< [B, K] which object stands where
 };
 
 WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& windows, std::int64_t T,
@@ -159,7 +160,10 @@ WindowRows draw_rows(const SceneTensors& tensors, const std::vector<Window>& win
     }
   }
   const auto device = tensors.poses.device();
-  WindowRows rows{to_index(scenes, device), to_index(frames, device), to_index(steps, device).to(torch::kFloat32), {}};
+  WindowRows rows{to_index(scenes, device), to_index(frames, device), {}, {}, {}};
+  const Tensor frame_rate = tensors.frame_rate.index({rows.scene});
+  rows.frame_rate = frame_rate.to(torch::kFloat32);
+  rows.step_size = (to_index(steps, device) * kFrameRateHz / frame_rate).to(torch::kFloat32);
   rows.order = draw_object_order(tensors.object_mask.index({rows.scene}), permutation, tensors.poses.options(), random);
   return rows;
 }
@@ -198,7 +202,8 @@ void draw_motion(const SceneTensors& tensors, const WindowRows& rows, const Augm
   const std::vector<Pose> before = window_poses(tensors, rows, yaw, -1);
   const std::vector<Pose> earlier = window_poses(tensors, rows, yaw, -2);
   for (size_t t = 2; t < batch.poses.size(); ++t) {
-    batch.departures.push_back(free_motion_departure(earlier[t], before[t], batch.poses[t], batch.scene));
+    batch.departures.push_back(
+        free_motion_departure(earlier[t], before[t], batch.poses[t], batch.scene, rows.frame_rate));
   }
 }
 
@@ -281,7 +286,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   const Tensor known = random.uniform({B, 1, 1}, like) >= options.unknown_probability;
   scene.properties_known = per_object(tensors.properties_known, rows) * known;
   scene.properties = per_object(tensors.properties, rows) * known;
-  scene.step_size = rows.step_size * (kFrameRateHz / tensors.frame_rate_hz);
+  scene.step_size = rows.step_size;
   scene.ground_height = torch::zeros({B}, like);
   scene.gravity = tensors.gravity.index({rows.scene});
   draw_motion(tensors, rows, options, random, batch);

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "rigidformer/model/batch.hpp"
+
 namespace rigidformer {
 namespace {
 
@@ -26,11 +28,13 @@ void check_probability(double value, const std::string& name) {
 }  // namespace
 
 WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
-                             std::vector<std::int64_t> object_counts, std::vector<std::int64_t> frame_counts)
+                             std::vector<std::int64_t> object_counts, std::vector<std::int64_t> frame_counts,
+                             std::vector<double> frame_rates_hz)
     : options_(options),
       events_(std::move(events)),
       object_counts_(std::move(object_counts)),
       frame_counts_(std::move(frame_counts)),
+      frame_rates_hz_(std::move(frame_rates_hz)),
       num_scenes_(static_cast<int>(object_counts_.size())) {
   check_probability(options.any_step_probability, "any_step_probability");
   check_probability(options.mid_air_probability, "mid_air_probability");
@@ -42,10 +46,12 @@ WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
                     "mid_air_probability + floor_probability + rolling_probability + resting_probability");
   if (options.step_sizes.empty()) throw std::invalid_argument("windows.step_sizes is empty");
   const auto [smallest, largest] = std::minmax_element(options.step_sizes.begin(), options.step_sizes.end());
-  const std::int64_t shortest = *std::min_element(frame_counts_.begin(), frame_counts_.end());
-  if (*smallest < 1 || 2 * *largest >= shortest) {
-    throw std::invalid_argument("windows.step_sizes must be at least 1 and fit three frames into a scene of " +
-                                std::to_string(shortest) + " frames");
+  frame_rates_hz_.resize(frame_counts_.size(), kFrameRateHz);
+  for (std::size_t scene = 0; scene < frame_counts_.size(); ++scene) {
+    if (*smallest < 1 || 2 * frames_at_rate(*largest, frame_rates_hz_[scene]) >= frame_counts_[scene]) {
+      throw std::invalid_argument("windows.step_sizes must be at least 1 and fit three frames into a scene of " +
+                                  std::to_string(frame_counts_[scene]) + " frames");
+    }
   }
 }
 
@@ -78,7 +84,8 @@ Window WindowSampler::draw(int num_steps, std::mt19937_64& random) const {
       list ? &(*list)[static_cast<size_t>(uniform_int(0, static_cast<int>(list->size()) - 1, random))] : nullptr;
   const int scene = event ? event->scene : uniform_int(0, num_scenes_ - 1, random);
   const auto last_frame = static_cast<int>(frame_counts_[static_cast<size_t>(scene)]) - 1;
-  const int s = std::min(wanted, last_frame / (num_steps + 1));
+  const int s =
+      std::min(frames_at_rate(wanted, frame_rates_hz_[static_cast<size_t>(scene)]), last_frame / (num_steps + 1));
   if (s < 1) {
     throw std::invalid_argument("a window of " + std::to_string(num_steps + 2) + " frames does not fit into scene " +
                                 std::to_string(scene) + " of " + std::to_string(last_frame + 1) + " frames");

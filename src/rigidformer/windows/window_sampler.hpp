@@ -11,7 +11,7 @@
 
 namespace rigidformer {
 
-/// One window: frames `frame`, `frame` + s, ..., of one scene.
+/// One window: frames `frame`, `frame` + s, ..., of one scene, in the scene's own frames.
 struct Window {
   int scene = 0;
   int frame = 0;
@@ -21,10 +21,11 @@ struct Window {
 /// Draws windows of 2 + num_steps frames. Around a contact, the event lies in the predicted part.
 class WindowSampler {
  public:
-  /// Numbers of objects and of frames are those of every scene. Throws std::invalid_argument naming the option at
-  /// fault, or a scene that is too short.
+  /// Numbers of objects and of frames and the frame rates are those of every scene; no rates: all have 240 Hz. Step
+  /// sizes count frames of 1/240 s and become as many of the scene's own. Throws std::invalid_argument naming the
+  /// option at fault, or a scene that is too short.
   WindowSampler(const WindowOptions& options, ContactEvents events, std::vector<std::int64_t> object_counts,
-                std::vector<std::int64_t> frame_counts);
+                std::vector<std::int64_t> frame_counts, std::vector<double> frame_rates_hz = {});
 
   /// Steps are shortened where a window would not fit into its scene. Throws std::invalid_argument where none does.
   Window draw(int num_steps, std::mt19937_64& random) const;
@@ -41,6 +42,7 @@ class WindowSampler {
   WindowOptions options_;
   ContactEvents events_;
   std::vector<std::int64_t> object_counts_, frame_counts_;  ///< Numbers of every scene
+  std::vector<double> frame_rates_hz_;                      ///< Likewise
   int num_scenes_;
 };
 

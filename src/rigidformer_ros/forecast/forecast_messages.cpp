@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rigidformer_ros/forecast/length_scale.hpp"
+#include "rigidformer/length_scale.hpp"
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 
@@ -25,7 +25,7 @@ geometry_msgs::Twist observed_twist(const ObservedObject& object, double time_st
 
 bool is_out_of_range(const ObservedObject& object, double time_step_s, const rigidformer::ModelInfo& model) {
   const geometry_msgs::Twist twist = observed_twist(object, time_step_s);
-  const double size = object_diameter(object.state.points_reference);
+  const double size = rigidformer::object_diameter(object.state.points_reference);
   const double speed = std::hypot(twist.linear.x, twist.linear.y, twist.linear.z) +
                        std::hypot(twist.angular.x, twist.angular.y, twist.angular.z) * size / 2.0;
   return (model.max_size_m > 0.0 &&

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "rigidformer/length_scale.hpp"
 #include "rigidformer/scene/objection.hpp"
-#include "rigidformer_ros/forecast/length_scale.hpp"
 
 namespace rigidformer_ros {
 
@@ -62,7 +62,7 @@ double SceneForecaster::take_usable(ObservedScene& scene, const rigidformer::Mod
     return *predict_.length_scale;
   }
   while (true) {
-    const double length_scale = automatic_length_scale(states(scene), info);
+    const double length_scale = rigidformer::automatic_length_scale(states(scene), info);
     if (!skip_unusable(scene, length_scale)) {
       return length_scale;
     }

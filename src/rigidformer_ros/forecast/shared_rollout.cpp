@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "rigidformer_ros/forecast/length_scale.hpp"
+#include "rigidformer/length_scale.hpp"
 
 namespace rigidformer_ros {
 

@@ -51,9 +51,9 @@ TEST_F(BreakdownTest, NumbersOfObjectsAreMeansOverScenes) {
 
 TEST_F(BreakdownTest, FramesCountFromTheStartAndMeanOverTheScenesThatReachThem) {
   SceneResult long_one = result_of("bullet", small_, {}, {{}, {}});
-  long_one.after_step = {{0.0, 0.0}, {1.0, 4.0}, {2.0, 8.0}};
+  long_one.curve = {{10, {0.0, 0.0}}, {20, {1.0, 4.0}}, {30, {2.0, 8.0}}};
   SceneResult short_one = long_one;
-  short_one.after_step = {{0.0, 0.0}, {3.0, 8.0}};
+  short_one.curve = {{10, {0.0, 0.0}}, {20, {3.0, 8.0}}};
   breakdown_.add(long_one);
   breakdown_.add(short_one);
   const auto frames = breakdown_.by_frame().at(kRound);

@@ -104,7 +104,7 @@ TEST(Protocol, HandsOutEveryRolloutWithItsErrors) {
   options.starts = {20};
   options.steps = {10};
   options.horizons = {50, 75};
-  options.curve_frames = 240;
+  options.curve_end = 240;
   const SceneArchive archive = flying_set(2, 130);
   std::vector<SceneResult> results;
   const auto scores = evaluate(archive, {&ballistic, &drifting}, options, {},
@@ -121,15 +121,15 @@ TEST(Protocol, HandsOutEveryRolloutWithItsErrors) {
   ASSERT_EQ(result.object_at_horizon[0].size(), 2U);
   EXPECT_NEAR(result.object_at_horizon[0][1].position_rmse_m, 4.0, 1e-9);
   // The recording ends at frame 129: whole steps reach frame 120, nine of them after the second given frame.
-  ASSERT_EQ(result.after_step.size(), 10U);
-  EXPECT_NEAR(result.after_step[0].position_rmse_m, 0.0, 1e-9);
-  EXPECT_NEAR(result.after_step[9].position_rmse_m, 9.0, 1e-9);
+  ASSERT_EQ(result.curve.size(), 10U);
+  EXPECT_NEAR(result.curve.at(10).position_rmse_m, 0.0, 1e-9);
+  EXPECT_NEAR(result.curve.at(100).position_rmse_m, 9.0, 1e-9);
   EXPECT_EQ(result.predicted.size(), 2U);
   // Rolling out farther for the curve does not change the scores.
-  options.curve_frames = 0;
+  options.curve_end = 0;
   const auto short_scores = evaluate(archive, {&ballistic, &drifting}, options);
   EXPECT_EQ(short_scores[2].error.position_rmse_m, scores[2].error.position_rmse_m);
-  options.curve_frames = -1;
+  options.curve_end = -1;
   EXPECT_THROW(options.validate(), std::invalid_argument);
 }
 

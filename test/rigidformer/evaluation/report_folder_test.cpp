@@ -32,11 +32,11 @@ class ReportFolderTest : public testing::Test {
     ReportFolder report(path_, "bullet", options);
     for (const std::string model : {"bullet", "ballistic"}) {
       SceneResult result = result_of(model, scene, {0.25, 12.5}, {{0.5, 3.0}, {0.125, 4.0}});
-      for (int k = 0; k < 24; ++k) result.after_step.push_back({0.01 * k, 0.5 * k});
+      for (int k = 0; k < 24; ++k) result.curve[10 * (k + 1)] = {0.01 * k, 0.5 * k};
       report.add(result);
     }
-    report.write({{"bullet", "toys", 120, 10, 100, 1, {0.25, 12.5}, 0.0625},
-                  {"ballistic", "toys", 120, 10, 100, 1, {1.5, 50.0}, 0.0}});
+    report.write({{"bullet", "toys", 120, 10, 100, 1, {0.25, 12.5, 0.5}, 0.0625, {8, 6}},
+                  {"ballistic", "toys", 120, 10, 100, 1, {1.5, 50.0, 3.0}, 0.0}});
     markdown_ = text_of(path_ / "report.md");
   }
 
@@ -50,8 +50,9 @@ class ReportFolderTest : public testing::Test {
 };
 
 TEST_F(ReportFolderTest, TablesHoldEveryScore) {
-  expect_line("| toys | 120 | 10 | 100 | bullet | 1 | 0.2500 | 12.50 | 0.0625 |");
-  expect_line("| toys | 120 | 10 | 100 | ballistic | 1 | 1.5000 | 50.00 | 0.0000 |");
+  expect_line("| toys | 120 | 10 | 100 | bullet | 1 | 0.2500 | 12.50 | 50.0 | 0.0625 |");
+  expect_line("| toys | 120 | 10 | 100 | ballistic | 1 | 1.5000 | 50.00 | 300.0 | 0.0000 |");
+  expect_line("| toys | 120 | 10 | bullet | 8 | 75.0 |");
   expect_line("| toys | 120 | 10 | ball | bullet | 1 | 0.1250 | 4.00 |");
   expect_line("| toys | 120 | 10 | cube | ballistic | 1 | 0.5000 | 3.00 |");
   expect_line("| toys | 120 | 10 | 2 | bullet | 1 | 0.2500 | 12.50 |");

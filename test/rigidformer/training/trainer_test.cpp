@@ -105,6 +105,22 @@ TEST_F(TrainerTest, StagesFollowEachOtherAndAreResumed) {
   EXPECT_TRUE(same_weights(model_file("parts"), model_file("whole")));
 }
 
+TEST_F(TrainerTest, LengthScaleIsThatOfTheScenes) {
+  TrainingPaths small = paths("any");
+  small.length_scale = 0.25;
+  const TrainingData plain = load_training_data(paths("any"), options_, torch::kCPU);
+  const TrainingData scaled = load_training_data(small, options_, torch::kCPU);
+  EXPECT_NEAR(scaled.facts.max_diameter_m, 4.0 * plain.facts.max_diameter_m, 1e-3);
+  EXPECT_NEAR(scaled.facts.max_speed_mps, 2.0 * plain.facts.max_speed_mps, 1e-2);
+  EXPECT_NEAR(scaled.training.frame_rates()[0], 120.0, 1e-9);
+  EXPECT_EQ(scaled.facts.max_step_frames, plain.facts.max_step_frames);
+  small.length_scale.reset();
+  EXPECT_THROW(load_training_data(small, options_, torch::kCPU), std::invalid_argument);  // auto goes by --init
+  ASSERT_EQ(run("model"), kIterations);
+  small.initial_model = model_file("model");
+  EXPECT_NEAR(load_training_data(small, options_, torch::kCPU).training.frame_rates()[0], 240.0, 120.0);
+}
+
 // The windows show mostly free flight, in which gravity is soon learned.
 TEST_F(TrainerTest, AHundredIterationsLowerTheLoss) {
   options_.windows.mid_air_probability = options_.windows.floor_probability = 0.0;

@@ -23,12 +23,12 @@ Pose pose_at(double t, double spin, Height&& height) {
 }
 
 template <typename Height>
-Pose departure(double step_size, double spin, Height&& height) {
+Pose departure(double step_size, double spin, Height&& height, double frame_s = kFrame_s) {
   SceneBatch scene;
   scene.step_size = torch::full({1}, step_size, kWide);
   scene.gravity = torch::full({1}, -10.0, kWide);
-  return free_motion_departure(pose_at(-2.0 * kFrame_s, spin, height), pose_at(-kFrame_s, spin, height),
-                               pose_at(0.0, spin, height), scene);
+  return free_motion_departure(pose_at(-2.0 * frame_s, spin, height), pose_at(-frame_s, spin, height),
+                               pose_at(0.0, spin, height), scene, torch::full({1}, 1.0 / frame_s, kWide));
 }
 
 void expect_same(const Pose& a, const Pose& b) {
@@ -41,6 +41,11 @@ TEST(FreeMotionDeparture, OfFreeFlightIsThePoseAStepBefore) {
   for (const double s : {1.0, 3.0, 10.0}) {
     expect_same(departure(s, 7.0, height), pose_at(-s * kFrame_s, 7.0, height));
   }
+}
+
+TEST(FreeMotionDeparture, FramesOfTheRecordingMayBeLongerThanThoseOfTheStep) {
+  const auto height = [](double t) { return 3.0 + 4.0 * t - 5.0 * t * t; };
+  expect_same(departure(9.0, 2.0, height, 1.0 / 53.5), pose_at(-9.0 * kFrame_s, 2.0, height));
 }
 
 TEST(FreeMotionDeparture, WhatIsCarriedDoesNotFall) {

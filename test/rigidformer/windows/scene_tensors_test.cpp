@@ -33,13 +33,15 @@ TEST(SceneTensorsTest, ShapesAndSetsAreAsAsked) {
 
 TEST(SceneTensorsTest, RefusesNoScenes) { EXPECT_THROW(make_scene_tensors({}, {}), std::invalid_argument); }
 
-TEST(SceneTensorsTest, P46_OtherFrameRatesAreRefusedByName) {
+TEST(SceneTensorsTest, P46_EverySceneKeepsItsFrameRate) {
   SceneArchive archive = flying_cubes_archive({1, 1}, 30);
-  archive.scenes[1].name = "slow";
-  archive.scenes[1].frame_rate_hz = 12.0;
-  const std::string error = error_of([&] { make_scene_tensors({archive}, {2, 16, 1}); });
-  EXPECT_NE(error.find("scene 'slow' of set 'flying_cubes': frame_rate is 12"), std::string::npos) << error;
-  EXPECT_NE(error.find("240"), std::string::npos) << error;
+  archive.scenes[1].frame_rate_hz = 53.5;
+  EXPECT_EQ(make_scene_tensors({archive}, {2, 16, 1}).frame_rates(), (std::vector<double>{240.0, 53.5}));
+  EXPECT_EQ(frames_at_rate(10, 240.0), 10);
+  EXPECT_EQ(frames_at_rate(10, 239.9), 10);
+  EXPECT_EQ(frames_at_rate(10, 53.5), 2);
+  EXPECT_EQ(frames_at_rate(1, 53.5), 1);
+  EXPECT_EQ(frames_at_rate(10, 480.0), 20);
 }
 
 TEST(SceneTensorsTest, P45_ShortScenesArePaddedWithTheirLastPose) {

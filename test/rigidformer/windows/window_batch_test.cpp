@@ -109,6 +109,18 @@ TEST_F(WindowBatchTest, NoStepsMeansTheTwoGivenPoses) {
   EXPECT_TRUE(batch.departures.empty());
 }
 
+TEST_F(WindowBatchTest, P46_TheNetworkIsToldHowLongAStepReallyIs) {
+  SceneArchive archive = flying_cubes_archive({1, 1}, 60);
+  archive.scenes[1].frame_rate_hz = 60.0;  // the same poses, four times as slow
+  const SceneTensors tensors = make_scene_tensors({archive}, {4, 64, 1});
+  const WindowBatch batch = make_window_batch(tensors, {{0, 0, 8}, {1, 0, 2}}, 1, 4, no_augmentation(32));
+  EXPECT_TRUE(torch::equal(batch.scene.step_size, torch::tensor({8.0F, 8.0F})));
+  const Tensor rise = (batch.poses[1].translation - batch.poses[0].translation).select(-1, 2);
+  const Tensor departed = (batch.poses[2].translation - batch.departures[0].translation).select(-1, 2);
+  EXPECT_GT(rise[0][0].item<double>(), 3.0 * rise[1][0].item<double>());
+  EXPECT_GT(departed[0][0].item<double>(), 3.0 * departed[1][0].item<double>());
+}
+
 TEST_F(WindowBatchTest, P47_WhatTheRecordingDoesNotSayStaysUnknown) {
   SceneArchive archive = flying_cubes_archive({2}, 60);
   archive.scenes[0].objects[1].properties = {std::nullopt, 0.4, std::nullopt};

@@ -51,6 +51,20 @@ TEST(WindowSamplerTest, WindowsFitIntoTheScene) {
   EXPECT_EQ(*frames.rbegin(), kFrames - 3);  // start of the last window of the smallest step size
 }
 
+TEST(WindowSamplerTest, P46_StepsBecomeFramesOfTheScene) {
+  WindowOptions options;
+  options.step_sizes = {10, 5};
+  const WindowSampler draws(options, {}, {1, 1}, {100, 100}, {240.0, 53.5});
+  std::mt19937_64 random(1);
+  std::set<int> fast, slow;
+  for (int i = 0; i < 200; ++i) {
+    const Window window = draws.draw(1, random);
+    (window.scene == 0 ? fast : slow).insert(window.step_size);
+  }
+  EXPECT_EQ(fast, (std::set<int>{5, 10}));
+  EXPECT_EQ(slow, (std::set<int>{1, 2}));  // 10 frames of 1/240 s are 2.2 of the slow scene
+}
+
 TEST(WindowSamplerTest, KindsAreDrawnAsOftenAsAskedFor) {
   WindowOptions options;
   options.step_sizes = {1};

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "rigidformer/length_scale.hpp"
 #include "rigidformer_ros/ballistic_predictor.hpp"
-#include "rigidformer_ros/forecast/length_scale.hpp"
 #include "rigidformer_ros/test_scene.hpp"
 
 namespace rigidformer_ros {
@@ -155,7 +155,7 @@ TEST(Rollout, AutomaticScaleBringsTheMedianObjectToTheTrainedSize) {
   ObjectState object = flying("a", Flight());
   const double scale = automatic_length_scale({object, object, object}, info);
   object.points_reference /= static_cast<float>(scale);
-  EXPECT_NEAR(object_diameter(object.points_reference), std::sqrt(0.1 * 3.0), 1e-5);
+  EXPECT_NEAR(rigidformer::object_diameter(object.points_reference), std::sqrt(0.1 * 3.0), 1e-5);
   EXPECT_EQ(automatic_length_scale({}, info), 1.0);
 }
 
