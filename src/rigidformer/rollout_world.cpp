@@ -165,11 +165,6 @@ void RolloutWorld::set_coming() {
   }
 }
 
-void RolloutWorld::set_command() {
-  const Tensor command = command_of_step(rollout_, steps_done());
-  if (command.defined()) perceived_.batch.control = command.to(perceived_.batch.gravity.device());
-}
-
 /// What is pushed, or touched by something that is moved or pushed: a contact passes the motion on.
 std::vector<bool> RolloutWorld::moved_by_others() const {
   std::vector<bool> moved = pushed_;
@@ -218,7 +213,8 @@ void RolloutWorld::step() {
   if (is_over_) return repeat();
   push();
   set_coming();
-  set_command();
+  const Tensor command = command_of_step(rollout_, steps_done());
+  if (command.defined()) perceived_.batch.control = command.to(perceived_.batch.gravity.device());
   SceneState next = advance(perceived_.batch, state_, predict());
   if (maker_.rest.speed_mps > 0.0) hold_resting(perceived_.batch, state_, next, maker_.rest, exempt());
   forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);

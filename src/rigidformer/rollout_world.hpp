@@ -42,7 +42,6 @@ class RolloutWorld {
   void set_motion(std::size_t k, const BodyPoses& poses, const BodyState& motion);
   void push();
   void set_coming();
-  void set_command();
   Tensor exempt() const;
   std::vector<bool> moved_by_others() const;
   StepPrediction predict();

@@ -35,8 +35,9 @@ std::string refusal(const MeasuredRecording& recording, const FrameOptions& opti
 
 TEST(ToFrames, WhatWasMeasuredInEqualStepsStaysUntouched) {
   MeasuredRecording recording{"7", {track("cup", times(101, 0.01)), track("box", times(101, 0.01))}};
-  for (std::size_t i = 0; i < 101; ++i)
+  for (std::size_t i = 0; i < 101; ++i) {
     recording.tracks[0].times_s[i] += 0.0004 * std::sin(2.0 * static_cast<double>(i));  // jitter
+  }
   for (const double asked_hz : {0.0, 100.0}) {
     const auto parts = to_frames(recording, {asked_hz, 2.5});
     ASSERT_EQ(parts.size(), 1U);
