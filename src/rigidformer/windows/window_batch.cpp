@@ -276,8 +276,7 @@ WindowBatch make_window_batch(const SceneTensors& tensors, const std::vector<Win
   torch::NoGradGuard no_grad;
   const auto like = tensors.poses.options();
   const auto B = static_cast<std::int64_t>(windows.size());
-  const std::int64_t T = num_steps + 2;
-  const WindowRows rows = draw_rows(tensors, windows, T, options.permutation_probability, random);
+  const WindowRows rows = draw_rows(tensors, windows, num_steps + 2, options.permutation_probability, random);
 
   WindowBatch batch;
   SceneBatch& scene = batch.scene;
