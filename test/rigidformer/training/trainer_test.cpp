@@ -191,8 +191,9 @@ TEST_F(TrainerTest, P45_ValidationScenesThatAreTooShortAreNamed) {
   write_scene_archive(with_validation.validation[0], flying_cubes_archive({1, 2}, 90));
   const auto train_it = [&] { train(options_, with_validation, {"cpu", 1, 0.0, false}); };
   const std::string error = error_of(train_it);
-  EXPECT_NE(error.find("short.safetensors': rollouts from frame 0 need scenes of 101 frames, the longest has 90"),
-            std::string::npos)
+  EXPECT_NE(
+      error.find("short.safetensors': rollouts from frame 0 need scenes of 101 frames at 240 Hz, the longest has 90"),
+      std::string::npos)
       << error;
   // One that is long enough for the first start; what lies behind it must not be read.
   SceneArchive mixed = flying_cubes_archive({1, 2}, 90);
