@@ -128,7 +128,7 @@ TEST(NearestPoints, AloneObjectHasNoNeighbor) {
 }
 
 TEST(NearestPoints, EmptySceneGivesNothing) {
-  NearestPoints search({});
+  NearestPoints search(std::vector<Points>{});
   std::vector<NearestNeighbors> nearest(3);
   search.query({}, nearest);
   EXPECT_TRUE(nearest.empty());
