@@ -20,7 +20,7 @@ TEST(SceneBatch, EveryTensorMoves) {
     ASSERT_TRUE((moved.*tensor).defined());
     EXPECT_TRUE(torch::equal(moved.*tensor, batch.*tensor));
   }
-  EXPECT_TRUE(torch::equal(moved.control, torch::full({2, 3}, number))) << "control is the last of the list";
+  EXPECT_TRUE(torch::equal(moved.ground_known, torch::full({2, 3}, number))) << "ground_known is the last of the list";
 }
 
 TEST(SceneBatch, WhatIsUndefinedStaysSo) {

@@ -164,7 +164,8 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
   };
   const std::set<std::string> newer = {"end_velocity_output", "engine_motion",  "hidden_side_head",
                                        "local_planes",        "contact_tokens", "residual_per_sublayer",
-                                       "max_points",          "rest_speed_mps", "rest_spin_radps"};
+                                       "max_points",          "rest_speed_mps", "rest_spin_radps",
+                                       "frame_rate_hz",       "ground_material"};
   for (const auto& [key, value] : good.items()) {
     Json json = good;
     json.erase(key);
