@@ -16,9 +16,8 @@ namespace rigidformer {
 /// Perceives objects of which at least one is there, all usable; throws BodyError.
 using Perceive = std::function<PerceivedObjects(const std::vector<ObjectState>& objects)>;
 
-/// Candidates of one perceived scene. Every candidate is stepped by itself, as a batch of one scene: on a CPU a step of
-/// several scenes at once takes as long per scene, and a library's matrix product may round a row otherwise when others
-/// stand beside it.
+/// Candidates of one perceived scene. Every candidate is stepped by itself, as a batch of one scene: a library's matrix
+/// product may round a row otherwise when others stand beside it, and a candidate's numbers must not depend on others.
 class CandidateBatch : public BatchRollout {
  public:
   /// `scene` is the perception of the objects `states`; `unusable` are those that are left out.

@@ -9,6 +9,13 @@ namespace rigidformer {
 constexpr double kStepFrames = 10.0;
 const double kTimeStep_s = kStepFrames / kFrameRateHz;
 
+/// A small model inside of which an engine takes steps.
+inline ModelOptions engine_options() {
+  ModelOptions options = contact_aware(model_preset("tiny"));
+  options.engine_motion = true;
+  return options;
+}
+
 /// Unit cubes with known material above a floor, centre of mass in the origin of the reference frame.
 struct Cubes {
   SceneBatch batch;

@@ -14,12 +14,6 @@
 namespace rigidformer {
 namespace {
 
-ModelOptions engine_options() {
-  ModelOptions options = contact_aware(model_preset("tiny"));
-  options.engine_motion = true;
-  return options;
-}
-
 /// Cubes that the engine moves.
 struct EngineCubes : Cubes {
   using Cubes::Cubes;

@@ -11,12 +11,6 @@
 namespace rigidformer {
 namespace {
 
-ModelOptions with_engine() {
-  ModelOptions options = contact_aware(model_preset("tiny"));
-  options.engine_motion = true;
-  return options;
-}
-
 Tensor place_at(double x, double y, double z) { return torch::tensor({x, y, z}, torch::kFloat64); }
 
 double coordinate(const Pose& pose, std::int64_t k, std::int64_t axis) {
@@ -25,7 +19,7 @@ double coordinate(const Pose& pose, std::int64_t k, std::int64_t axis) {
 
 /// Cubes of which some are driven; `coming(step)` tells where they are after that step.
 Pose drive(const Cubes& cubes, int num_steps, const std::function<void(int step, Pose& coming)>& coming) {
-  const EngineStep step = make_engine_step(with_engine(), cubes.batch, cubes.centre);
+  const EngineStep step = make_engine_step(engine_options(), cubes.batch, cubes.centre);
   SceneState now = cubes.state;
   for (int i = 1; i <= num_steps; ++i) {
     now.coming = {now.current.rotation.clone(), now.current.translation.clone()};
@@ -41,7 +35,7 @@ TEST(GivenBodies, WhatRestsOnAShelfDoesNotSink) {
   cubes.place(0, {0.0, 0.0, 3.0}, {0.0, 0.0, 0.0});
   cubes.place(1, {0.0, 0.0, 4.002}, {0.0, 0.0, 0.0});
   cubes.batch.dynamic_mask[0][0] = false;
-  const EngineStep step = make_engine_step(with_engine(), cubes.batch, cubes.centre);
+  const EngineStep step = make_engine_step(engine_options(), cubes.batch, cubes.centre);
   const EngineMotion motion = step(cubes.state);
   EXPECT_NEAR(coordinate(motion.pose, 1, 2), 4.002, 5e-4) << "half a step of fall is 9 mm";
   EXPECT_NEAR(coordinate(motion.departure, 1, 2), coordinate(motion.pose, 1, 2), 1e-3) << "nor does it gain speed";
@@ -76,14 +70,14 @@ TEST(GivenBodies, TheComingPoseIsKnownToBaseMotionEngineAndStep) {
   cubes.batch.dynamic_mask[0][0] = false;
   SceneState state = cubes.state;
   state.coming = {state.current.rotation.clone(), place_at(0.2, 0.0, 3.0).reshape({1, 1, 3})};
-  for (const ModelOptions& options : {with_engine(), model_preset("tiny")}) {
+  for (const ModelOptions& options : {engine_options(), model_preset("tiny")}) {
     const BaseMotion base = make_base_motion(options, cubes.batch, state, cubes.centre);
     EXPECT_LT(
         largest_difference(base.apply(cubes.batch.points_reference), state.coming.apply(cubes.batch.points_reference)),
         1e-12);
     EXPECT_NEAR(base.centre_step[0][0][0].item<double>(), 0.2, 1e-12);
   }
-  const EngineMotion motion = make_engine_step(with_engine(), cubes.batch, cubes.centre)(state);
+  const EngineMotion motion = make_engine_step(engine_options(), cubes.batch, cubes.centre)(state);
   EXPECT_NEAR(coordinate(motion.pose, 0, 0), 0.2, 1e-4);
   const SceneState after = advance(cubes.batch, state, {Tensor(), motion.pose, motion.departure});
   EXPECT_EQ(coordinate(after.current, 0, 0), 0.2);
