@@ -30,8 +30,8 @@ if(NOT RIGIDFORMER_ROS)
 endif()
 
 set(programs ${RIGIDFORMER_APPS})
-foreach(target prediction_node demo_publisher forecast_report depth_camera record_depth_camera segment_cloud
-        tracking_accuracy)
+foreach(target prediction_node demo_publisher forecast_report depth_camera push_planner record_depth_camera
+        segment_cloud tracking_accuracy)
   if(TARGET ${target})
     list(APPEND programs ${target})
   endif()

@@ -2,9 +2,9 @@
 # a planner can compile against them on any machine with ROS.
 
 if(RIGIDFORMER_MESSAGES_ONLY)
-  set(ros_packages geometry_msgs sensor_msgs std_msgs)
+  set(ros_packages actionlib_msgs geometry_msgs sensor_msgs std_msgs)
 else()
-  set(ros_packages diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib roscpp
+  set(ros_packages actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib roscpp
       rosbag_storage rosgraph_msgs roslib sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros visualization_msgs)
   # Other packages may link these libraries. LibTorch and Bullet stay inside them.
   set(exported_libraries rigidformer_ros_node rigidformer rigidformer_core)
@@ -16,11 +16,15 @@ else()
 endif()
 find_package(catkin REQUIRED COMPONENTS message_generation ${ros_packages})
 
+catkin_python_setup()
+
 file(GLOB message_files RELATIVE ${PROJECT_SOURCE_DIR}/msg CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/msg/*.msg)
 file(GLOB service_files RELATIVE ${PROJECT_SOURCE_DIR}/srv CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/srv/*.srv)
+file(GLOB action_files RELATIVE ${PROJECT_SOURCE_DIR}/action CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/action/*.action)
 add_message_files(DIRECTORY msg FILES ${message_files})
 add_service_files(DIRECTORY srv FILES ${service_files})
-generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs)
+add_action_files(DIRECTORY action FILES ${action_files})
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs sensor_msgs std_msgs)
 
 catkin_package(
   INCLUDE_DIRS ${exported_folders}

@@ -58,6 +58,51 @@ RolloutOptions to_model_scale(RolloutOptions options, double scale) {
   return options;
 }
 
+Candidate to_model_scale(Candidate candidate, double scale) {
+  if (scale == 1.0) {
+    return candidate;
+  }
+  const double time_scale = std::sqrt(scale);
+  for (StateChange& change : candidate.changes) {
+    if (change.T_world_reference) {
+      change.T_world_reference->translation /= scale;
+    }
+    if (change.twist) {
+      change.twist->linear_mps /= time_scale;
+      change.twist->angular_rps *= time_scale;
+    }
+  }
+  for (Push& push : candidate.pushes) {
+    push.time_s /= time_scale;
+    push.linear_Ns /= time_scale;
+    push.angular_Nms /= scale * time_scale;
+    push.point_reference /= scale;
+  }
+  for (GivenTrack& track : candidate.tracks) {
+    track.points_reference /= static_cast<float>(scale);
+    track.max_speed_mps /= time_scale;
+    for (double& time : track.times_s) {
+      time /= time_scale;
+    }
+    for (RigidTransform& pose : track.T_world_reference) {
+      pose.translation /= scale;
+    }
+  }
+  return candidate;
+}
+
+BatchOptions to_model_scale(BatchOptions options, double scale) {
+  options.rollout = to_model_scale(options.rollout, scale);
+  options.settle.linear_speed_mps /= std::sqrt(scale);
+  options.settle.angular_speed_rps *= std::sqrt(scale);
+  options.settle.duration_s /= std::sqrt(scale);
+  for (StopRule& rule : options.stop) {
+    rule.region.T_world_box.translation /= scale;
+    rule.region.size_m /= scale;
+  }
+  return options;
+}
+
 Forecast to_real_scale(Forecast forecast, double scale) {
   for (double& time : forecast.times_s) {
     time *= std::sqrt(scale);
@@ -66,6 +111,10 @@ Forecast to_real_scale(Forecast forecast, double scale) {
     for (auto& pose : object.poses) {
       pose.translation *= scale;
     }
+  }
+  for (StepContact& contact : forecast.contacts) {
+    contact.penetration_m *= scale;
+    contact.normal_impulse_Ns *= std::sqrt(scale);
   }
   return forecast;
 }

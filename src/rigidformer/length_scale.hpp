@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rigidformer/candidates.hpp"
 #include "rigidformer/data/scene_archive.hpp"
 #include "rigidformer/predictor.hpp"
 
@@ -28,7 +29,13 @@ RolloutOptions to_model_scale(RolloutOptions options, double scale);
 /// Turns recordings of real objects into what they would be at the model's scale: sizes, positions and frame rates.
 SceneArchive to_model_scale(SceneArchive archive, double scale);
 
-/// Turns the times and positions that the model predicted into real ones.
+/// Turns the changes of a candidate into those that the model sees. Masses stay, so that impulses change as speeds do.
+Candidate to_model_scale(Candidate candidate, double scale);
+
+/// Turns what holds for all candidates into what the model sees.
+BatchOptions to_model_scale(BatchOptions options, double scale);
+
+/// Turns the times, positions and contacts that the model predicted into real ones.
 Forecast to_real_scale(Forecast forecast, double scale);
 
 /// Turns the ranges that the model was trained on into real lengths, times and speeds.

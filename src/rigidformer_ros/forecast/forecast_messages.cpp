@@ -48,12 +48,14 @@ ObjectForecast to_object_forecast(const SceneRollout& rollout, std::size_t index
                                     : twist_between(forecast.poses[k - 1], forecast.poses[k], dt_s));
   }
   message.status = status_of(rollout, index);
-  message.first_contact_step = -1;
-  const int settled = rollout.outcome.settled_steps[index];
-  message.settled_step = settled < 0 ? -1 : (settled + record_every - 1) / record_every;
-  if (message.settled_step >= static_cast<int>(message.poses.size())) {
-    message.settled_step = -1;
-  }
+  const auto num_recorded = static_cast<int>(message.poses.size());
+  const auto recorded = [&](int step) {
+    const int k = step < 0 ? -1 : (step + record_every - 1) / record_every;
+    return k < num_recorded ? k : -1;
+  };
+  message.first_contact_step =
+      recorded(rigidformer::first_contact_step(rollout.outcome.forecast, static_cast<int>(index)));
+  message.settled_step = recorded(rollout.outcome.settled_steps[index]);
   return message;
 }
 
@@ -104,11 +106,41 @@ SceneForecast to_forecast(const SceneRollout& rollout, const ForecastSelection& 
       message.objects.push_back(to_object_forecast(rollout, i, selection.record_every));
     }
   }
+  message.contacts = contact_events(rollout.outcome.forecast, selection);
+  for (ContactEvent& contact : message.contacts) {
+    const auto every = static_cast<std::uint32_t>(selection.record_every);
+    contact.first_step = (contact.first_step + every - 1) / every;
+    contact.last_step = std::max(contact.first_step, contact.last_step / every);
+  }
+  const auto is_recorded = [&](const ContactEvent& contact) { return contact.first_step < message.times.size(); };
+  message.contacts.erase(std::partition(message.contacts.begin(), message.contacts.end(), is_recorded),
+                         message.contacts.end());
   for (const rigidformer::SkippedObject& skipped : rollout.scene.skipped) {
     message.skipped_ids.push_back(skipped.id);
     message.skip_reasons.push_back(skipped.reason);
   }
   return message;
+}
+
+std::vector<ContactEvent> contact_events(const rigidformer::Forecast& forecast, const ForecastSelection& selection) {
+  const auto id_of = [&](int object) {
+    return object < 0 ? std::string() : forecast.objects[static_cast<std::size_t>(object)].id;
+  };
+  std::vector<ContactEvent> events;
+  for (const rigidformer::ContactSpan& span : rigidformer::contact_spans(forecast)) {
+    ContactEvent event;
+    event.id_a = id_of(span.object_a);
+    event.id_b = id_of(span.object_b);
+    if (!is_selected(selection, event.id_a) && !is_selected(selection, event.id_b)) {
+      continue;
+    }
+    event.first_step = static_cast<std::uint32_t>(span.first_step);
+    event.last_step = static_cast<std::uint32_t>(span.last_step);
+    event.max_normal_impulse = span.max_normal_impulse_Ns;
+    event.max_penetration = span.max_penetration_m;
+    events.push_back(event);
+  }
+  return events;
 }
 
 std::uint64_t count_points(const ObservedScene& scene, const ForecastSelection& selection, int num_steps) {

@@ -30,6 +30,9 @@ SceneForecast to_forecast(const SceneRollout& rollout, const ForecastSelection& 
 /// How far the forecast of object `index` can be trusted: a constant of ObjectForecast. What is worst comes first.
 std::uint8_t status_of(const SceneRollout& rollout, std::size_t index);
 
+/// What the selected objects touch, with steps of the forecast, in the order of the first ones.
+std::vector<ContactEvent> contact_events(const rigidformer::Forecast& forecast, const ForecastSelection& selection);
+
 /// Points that to_points_cloud() would return.
 std::uint64_t count_points(const ObservedScene& scene, const ForecastSelection& selection, int num_steps);
 

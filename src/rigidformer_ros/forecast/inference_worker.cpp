@@ -50,10 +50,7 @@ rigidformer::ModelInfo InferenceWorker::info() const {
   return info_;
 }
 
-std::future<rigidformer::Forecast> InferenceWorker::run(
-    std::function<rigidformer::Forecast(rigidformer::Predictor&)> wanted, JobLane lane) {
-  Job job([this, wanted = std::move(wanted)] { return wanted(*predictor_); });
-  std::future<rigidformer::Forecast> result = job.get_future();
+void InferenceWorker::add_job(Job job, JobLane lane) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (state_ != State::kReady) {
@@ -65,7 +62,6 @@ std::future<rigidformer::Forecast> InferenceWorker::run(
     lanes_.at(static_cast<std::size_t>(lane)).push_back(std::move(job));
   }
   wake_.notify_all();
-  return result;
 }
 
 void InferenceWorker::load(const PredictorFactory& make_predictor) {
@@ -109,7 +105,8 @@ void InferenceWorker::live(const PredictorFactory& make_predictor) {
     }
     Job job = take_job();
     lock.unlock();
-    job();
+    job(*predictor_);
+    job = nullptr;
     lock.lock();
   }
 }

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "rigidformer/predictor.hpp"
 
@@ -49,14 +50,20 @@ class InferenceWorker {
 
   /// Runs the job on the thread of the predictor. The future gives what the job returns or throws. Throws
   /// std::logic_error unless the state is kReady, and after stop().
-  std::future<rigidformer::Forecast> run(std::function<rigidformer::Forecast(rigidformer::Predictor&)> job,
-                                         JobLane lane);
+  template <typename Job>
+  auto run(Job job, JobLane lane) -> std::future<decltype(job(std::declval<rigidformer::Predictor&>()))> {
+    using Result = decltype(job(std::declval<rigidformer::Predictor&>()));
+    const auto task = std::make_shared<std::packaged_task<Result(rigidformer::Predictor&)>>(std::move(job));
+    add_job([task](rigidformer::Predictor& predictor) { (*task)(predictor); }, lane);
+    return task->get_future();
+  }
 
  private:
-  using Job = std::packaged_task<rigidformer::Forecast()>;
+  using Job = std::function<void(rigidformer::Predictor&)>;
 
   void live(const PredictorFactory& make_predictor);
   void load(const PredictorFactory& make_predictor);
+  void add_job(Job job, JobLane lane);
   bool has_job() const;
   Job take_job();
 

@@ -111,6 +111,17 @@ std::shared_ptr<BegunRollout> SceneForecaster::begin(ObservedScene scene, const 
                        SharedRollout(worker_, objects, options, scale, std::move(ends), lane)});
 }
 
+std::unique_ptr<BegunBatch> SceneForecaster::begin_batch(ObservedScene scene,
+                                                         const std::vector<rigidformer::Candidate>& candidates,
+                                                         const rigidformer::BatchOptions& options) {
+  const rigidformer::ModelInfo info = worker_.info();
+  const double scale = take_usable(scene, info);
+  skip_surplus(scene, info.max_objects);
+  const std::vector<rigidformer::ObjectState> objects = states(scene);
+  return std::unique_ptr<BegunBatch>(new BegunBatch{std::move(scene), to_real_scale(info, scale),
+                                                    BatchRun(worker_, objects, candidates, options, scale)});
+}
+
 SceneRollout SceneForecaster::roll_out(ObservedScene scene, const RolloutSettings& settings) {
   const auto begun = begin(std::move(scene), settings.options, {settings.options.num_steps}, JobLane::kForecast);
   RolloutOutcome outcome = rigidformer_ros::roll_out(begun->steps, settings);
@@ -130,6 +141,10 @@ void skip_unusable(SceneRollout& rollout) {
     rollout.scene.objects.erase(rollout.scene.objects.begin() + index);
     rollout.outcome.settled_steps.erase(rollout.outcome.settled_steps.begin() + index);
     forecasts.erase(forecasts.begin() + index);
+    for (rigidformer::StepContact& contact : rollout.outcome.forecast.contacts) {  // it has none itself
+      contact.object_a -= contact.object_a > static_cast<int>(i) ? 1 : 0;
+      contact.object_b -= contact.object_b > static_cast<int>(i) ? 1 : 0;
+    }
   }
 }
 

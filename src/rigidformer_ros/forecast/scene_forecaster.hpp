@@ -7,8 +7,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "rigidformer/tracking/observation.hpp"
+#include "rigidformer_ros/forecast/batch_run.hpp"
 #include "rigidformer_ros/forecast/inference_worker.hpp"
 #include "rigidformer_ros/forecast/rollout.hpp"
 #include "rigidformer_ros/parameters/parameters.hpp"
@@ -36,6 +38,13 @@ struct BegunRollout {
   ObservedScene scene;
   rigidformer::ModelInfo model;  ///< The model, its ranges in real lengths and times
   SharedRollout steps;
+};
+
+/// A scene whose candidates are being predicted.
+struct BegunBatch {
+  ObservedScene scene;
+  rigidformer::ModelInfo model;  ///< The model, its ranges in real lengths and times
+  BatchRun run;
 };
 
 /// Predicts observed scenes as the parameters say. The topic and the service share one forecaster, so that both give
@@ -70,6 +79,10 @@ class SceneForecaster {
   /// steps in `ends`. Nothing is predicted before somebody wants a step.
   std::shared_ptr<BegunRollout> begin(ObservedScene scene, const rigidformer::RolloutOptions& options,
                                       std::set<int> ends, JobLane lane);
+
+  /// Begins the rollouts of candidates for the usable part of the scene, all in real lengths and times.
+  std::unique_ptr<BegunBatch> begin_batch(ObservedScene scene, const std::vector<rigidformer::Candidate>& candidates,
+                                          const rigidformer::BatchOptions& options);
 
   /// Predicts the whole scene for the forecast that the node publishes. Throws what the predictor throws.
   SceneRollout roll_out(ObservedScene scene, const RolloutSettings& settings);

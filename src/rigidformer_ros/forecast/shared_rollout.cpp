@@ -139,6 +139,11 @@ Forecast SharedRollout::up_to(int num_steps) const {
   };
   Forecast forecast;
   forecast.times_s = first_of(forecast_.times_s);
+  for (const rigidformer::StepContact& contact : forecast_.contacts) {
+    if (contact.step <= num_steps) {
+      forecast.contacts.push_back(contact);
+    }
+  }
   for (std::size_t i = 0; i < forecast_.objects.size(); ++i) {
     const ObjectTrajectory& object = forecast_.objects[i];
     const bool diverges_later = object.status == ObjectTrajectory::Status::kDiverged && diverged_at_[i] > num_steps;

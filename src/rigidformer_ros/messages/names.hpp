@@ -13,9 +13,11 @@ inline constexpr char kForecastCloud[] = "forecast_cloud";
 inline constexpr char kPredictedPoses[] = "predicted_poses";
 inline constexpr char kMarkers[] = "markers";
 inline constexpr char kForecastError[] = "forecast_error";
+inline constexpr char kCandidateMarkers[] = "candidate_markers";
 
 // The services that the node offers.
 inline constexpr char kPredictRollout[] = "predict_rollout";
+inline constexpr char kPredictRollouts[] = "predict_rollouts";
 inline constexpr char kGetModelInfo[] = "get_model_info";
 inline constexpr char kReset[] = "reset";
 

@@ -25,9 +25,11 @@
 #include "rigidformer_ros/inputs/scene_intake.hpp"
 #include "rigidformer_ros/inputs/scene_topics.hpp"
 #include "rigidformer_ros/node/process_end.hpp"
+#include "rigidformer_ros/outputs/candidate_display.hpp"
 #include "rigidformer_ros/outputs/forecast_loop.hpp"
 #include "rigidformer_ros/parameters/parameters.hpp"
 #include "rigidformer_ros/parameters/tuning.hpp"
+#include "rigidformer_ros/services/batch_service.hpp"
 #include "rigidformer_ros/services/rollout_service.hpp"
 
 namespace rigidformer_ros {
@@ -71,7 +73,11 @@ struct PredictionNode::Parts {
   Lane service_lane;
   Lane health_lane;
   ForecastLoop forecast_loop;
+  ClientCount clients;
   RolloutService service;
+  BatchAnswerer batches;
+  CandidateDisplay candidate_display;
+  BatchService batch_service;
   ObjectTopics object_topics;
   SceneTopics scene_topics;
   NodeDiagnostics diagnostics;
@@ -95,7 +101,12 @@ PredictionNode::Parts::Parts(const ros::NodeHandle& node, const ros::NodeHandle&
       service_lane(node, RolloutService::num_threads(p.service)),
       health_lane(node),
       forecast_loop(forecast_lane.node, p, {live_scene, forecaster, rejections, input_monitor, timing, quality}),
-      service(service_lane.node, p, forecaster, live_scene, frames, quality),
+      service(service_lane.node, p, forecaster, live_scene, frames, quality, clients),
+      batches(p, forecaster, live_scene, frames, clients),
+      candidate_display(service_lane.node, p.display),
+      batch_service(
+          service_lane.node, batches,
+          [this](const BatchRequest& request, const BatchResult& result) { candidate_display.show(request, result); }),
       object_topics(input_lane.node, p.input,
                     [this](const ListedObject& source, const sensor_msgs::PointCloud2& cloud) {
                       intake.take_object(source, cloud);

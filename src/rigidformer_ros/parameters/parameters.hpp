@@ -15,6 +15,7 @@
 #include "rigidformer/tracking/observation.hpp"
 #include "rigidformer/tracking/options.hpp"
 #include "rigidformer_ros/messages/cloud_conversion.hpp"
+#include "rigidformer_ros/parameters/service_parameters.hpp"
 
 namespace rigidformer_ros {
 
@@ -148,31 +149,6 @@ void for_each_member(PredictParameters& o, const Visit& visit) {
   visit("ground_restitution", o.ground_restitution, between(0.0, 1.0).or_word("unknown"), "restitution; likewise");
   visit("length_scale", o.length_scale, between(1e-4, 1e4).or_word("auto"),
         "real length / trained length; auto = from the objects");
-}
-
-struct ServiceParameters {
-  int max_steps = 500;
-  double max_wall_time = 10.0;
-  double max_state_age = 0.5;
-  int max_clients_queued = 4;
-  int max_returned_points = 2000000;
-  double settle_linear_speed = 0.02;
-  double settle_angular_speed = 0.1;
-  double settle_duration = 0.25;
-};
-
-template <typename Visit>
-void for_each_member(ServiceParameters& o, const Visit& visit) {
-  visit("max_steps", o.max_steps, between(1, 100000), "per request");
-  visit("max_wall_time", o.max_wall_time, between(1e-3, 3600.0), "[s] per request, if it names no other");
-  visit("max_state_age", o.max_state_age, between(1e-3, 3600.0), "[s] older states are answered with STALE_STATE");
-  visit("max_clients_queued", o.max_clients_queued, between(0, 1000),
-        "requests that may wait; more are answered with BUSY");
-  visit("max_returned_points", o.max_returned_points, between(1, 1e8), "per request");
-  visit("settle_linear_speed", o.settle_linear_speed, between(0.0, 100.0),
-        "[m/s] an object slower than both speeds ...");
-  visit("settle_angular_speed", o.settle_angular_speed, between(0.0, 100.0), "[rad/s] ...");
-  visit("settle_duration", o.settle_duration, between(0.0, 3600.0), "[s] ... for this long is at rest");
 }
 
 /// Material of the objects whose id matches `id` ('*' matches any text).

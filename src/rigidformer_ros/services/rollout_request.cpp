@@ -29,17 +29,6 @@ std::string number(double value) {
   return text;
 }
 
-void check_unsupported(const Request& request) {
-  const RolloutCandidate& candidate = request.candidate;
-  const char* field = !candidate.overrides.empty()   ? "overrides"
-                      : !candidate.impulses.empty()  ? "impulses"
-                      : !candidate.kinematic.empty() ? "kinematic"
-                                                     : nullptr;
-  if (field != nullptr) {
-    reject(Response::INVALID_REQUEST, std::string("candidate.") + field + ": is not supported by this version");
-  }
-}
-
 int read_num_steps(const Request& request, const NodeParameters& parameters, int default_steps) {
   if (request.num_steps > static_cast<std::uint32_t>(parameters.service.max_steps)) {
     reject(Response::LIMIT_EXCEEDED, "num_steps: is " + std::to_string(request.num_steps) + ", at most " +
@@ -231,7 +220,6 @@ void check_returned_points(const Request& request, const RolloutTask& task, cons
 }  // namespace
 
 RolloutTask read_task(const Request& request, const NodeParameters& parameters, const RolloutSettings& defaults) {
-  check_unsupported(request);
   RolloutTask task;
   task.settings = defaults;
   task.settings.options.num_steps = read_num_steps(request, parameters, defaults.options.num_steps);

@@ -8,6 +8,7 @@
 
 #include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/messages/names.hpp"
+#include "rigidformer_ros/services/candidate_rollout.hpp"
 #include "rigidformer_ros/services/request_error.hpp"
 #include "rigidformer_ros/services/rollout_command.hpp"
 
@@ -58,28 +59,17 @@ void fill_outcome(Response& response, const SceneForecast& forecast, const Rollo
   }
 }
 
-/// Counts a client as present for the length of a scope.
-class Presence {
- public:
-  explicit Presence(std::atomic<int>& count) : count_(count), number_(++count) {}
-  ~Presence() { --count_; }
-  Presence(const Presence&) = delete;
-  Presence& operator=(const Presence&) = delete;
-
-  /// The number of clients that were present when this one came, with itself.
-  int number() const { return number_; }
-
- private:
-  std::atomic<int>& count_;
-  int number_;
-};
-
 }  // namespace
 
 RolloutService::RolloutService(ros::NodeHandle& node, const NodeParameters& parameters, SceneForecaster& forecaster,
                                LiveScene& live_scene, const FrameTransformer& frames,
-                               const SharedValue<ForecastQuality>& quality)
-    : parameters_(parameters), forecaster_(forecaster), live_scene_(live_scene), frames_(frames), quality_(quality) {
+                               const SharedValue<ForecastQuality>& quality, ClientCount& clients)
+    : parameters_(parameters),
+      forecaster_(forecaster),
+      live_scene_(live_scene),
+      frames_(frames),
+      quality_(quality),
+      clients_(clients) {
   predict_rollout_ = node.advertiseService<Request, Response>(
       names::kPredictRollout, boost::function<bool(Request&, Response&)>([this](Request& request, Response& response) {
         response = answer(request);
@@ -106,7 +96,7 @@ Response RolloutService::answer(const Request& request) {
   if (!forecaster_.ready()) {
     return failure(Response::NOT_READY, forecaster_.message());
   }
-  const Presence presence(num_clients_);
+  const ClientCount::Presence presence(clients_);
   if (presence.number() > parameters_.service.max_clients_queued + 1) {
     return failure(Response::BUSY, "more than " + std::to_string(parameters_.service.max_clients_queued) +
                                        " requests are waiting (service/max_clients_queued)");
@@ -121,47 +111,82 @@ Response RolloutService::answer(const Request& request) {
   }
 }
 
-std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, const RolloutTask& task,
-                                                    const std::set<int>& ends) {
+ObservedScene RolloutService::read(const Request& request, const RolloutTask& task) const {
   RequestSources sources;
   sources.live_scene = [this](double time_step_s) { return live_scene_.snapshot(time_step_s); };
   sources.model_for = [this](const ObservedScene& scene) { return forecaster_.model_for(scene); };
   sources.T_fixed_from = [this](const std::string& frame_id, const ros::Time& stamp) {
     return frames_.T_fixed_from(frame_id, stamp);
   };
+  return read_scene(request, task.source, parameters_, task.settings.options.time_step_s, sources);
+}
+
+std::shared_ptr<BegunRollout> RolloutService::begin(const Request& request, const RolloutTask& task,
+                                                    const std::set<int>& ends) {
   rigidformer::RolloutOptions options = task.settings.options;
-  ObservedScene scene = read_scene(request, task.source, parameters_, options.time_step_s, sources);
+  ObservedScene scene = read(request, task);
   options.time_step_s = scene.time_step_s;
   options.control = read_control(request, options.num_steps, forecaster_.model_for(scene));
   return forecaster_.begin(std::move(scene), options, ends, JobLane::kRequest);
 }
 
-Response RolloutService::answer_ready(const Request& request, SharedRollout::Clock::time_point asked) {
-  RolloutTask task = read_task(request, parameters_, forecaster_.default_settings());
+std::optional<SceneRollout> RolloutService::roll_out(const Request& request, RolloutTask& task,
+                                                     SharedRollout::Clock::time_point asked) {
   RolloutGroups<BegunRollout>::Place place(groups_, rollout_key(request), task.settings.options.num_steps);
   const std::shared_ptr<BegunRollout> begun = place.begin(
       time_limit(task.settings, asked), [&](const std::set<int>& ends) { return begin(request, task, ends); });
   if (!begun) {
-    return failure(Response::TIMED_OUT, "max_wall_time: " + std::to_string(task.settings.max_wall_time_s) +
-                                            " s passed while other requests were answered");
+    return std::nullopt;
   }
   check_scene(request, task, begun->scene, parameters_, ros::Time::now());
   read_control(request, task.settings.options.num_steps, begun->model);  // the rollout may be that of a longer request
   task.settings.options.time_step_s = begun->scene.time_step_s;
-  SceneRollout rollout{begun->scene, roll_out(begun->steps, task.settings, asked), begun->model,
-                       /*trusted_horizon_s=*/0.0};
-  skip_unusable(rollout);
-  check_object_ids(request.object_ids, rollout.scene);  // the predictor may have found more of them
+  return SceneRollout{begun->scene, rigidformer_ros::roll_out(begun->steps, task.settings, asked), begun->model,
+                      /*trusted_horizon_s=*/0.0};
+}
+
+SceneRollout RolloutService::roll_out_candidate(const Request& request, RolloutTask& task,
+                                                SharedRollout::Clock::time_point asked) {
+  const rigidformer::Candidate candidate =
+      read_candidate_of(request.candidate, parameters_, T_fixed_request(request.scene, parameters_, frames_));
+  ObservedScene scene = read(request, task);
+  task.settings.options.time_step_s = scene.time_step_s;
+  rigidformer::BatchOptions options;
+  options.rollout = task.settings.options;
+  options.rollout.control = read_control(request, options.rollout.num_steps, forecaster_.model_for(scene));
+  options.settle = task.settings.settle;
+  if (task.settings.stop_when_settled) {
+    options.stop.emplace_back();
+  }
+  const std::unique_ptr<BegunBatch> begun = forecaster_.begin_batch(std::move(scene), {candidate}, options);
+  check_scene(request, task, begun->scene, parameters_, ros::Time::now());
+  const SharedRollout::Clock::time_point limit = time_limit(task.settings, asked);
+  while (begun->run.is_running() && SharedRollout::Clock::now() < limit) {
+    begun->run.advance(limit);
+  }
+  return rollout_of(*begun, candidate, task.settings);
+}
+
+Response RolloutService::answer_ready(const Request& request, SharedRollout::Clock::time_point asked) {
+  RolloutTask task = read_task(request, parameters_, forecaster_.default_settings());
+  std::optional<SceneRollout> rollout =
+      is_empty(request.candidate) ? roll_out(request, task, asked) : roll_out_candidate(request, task, asked);
+  if (!rollout) {
+    return failure(Response::TIMED_OUT, "max_wall_time: " + std::to_string(task.settings.max_wall_time_s) +
+                                            " s passed while other requests were answered");
+  }
+  skip_unusable(*rollout);
+  check_object_ids(request.object_ids, rollout->scene);  // predictor or candidate may have left some of them out
   if (task.source == SceneSource::kLive) {
-    rollout.trusted_horizon_s = quality_.get().trusted_horizon_s;  // measured on the live scene
+    rollout->trusted_horizon_s = quality_.get().trusted_horizon_s;  // measured on the live scene
   }
 
   Response response;
-  response.forecast = to_forecast(rollout, task.selection, parameters_.fixed_frame);
-  response.steps_done = static_cast<std::uint32_t>(rollout.outcome.steps_done);
-  response.stop_reason = to_message_reason(rollout.outcome.stop_reason);
+  response.forecast = to_forecast(*rollout, task.selection, parameters_.fixed_frame);
+  response.steps_done = static_cast<std::uint32_t>(rollout->outcome.steps_done);
+  response.stop_reason = to_message_reason(rollout->outcome.stop_reason);
   if (request.return_points) {
-    response.points = to_points_cloud(rollout, task.selection, parameters_.fixed_frame);
+    response.points = to_points_cloud(*rollout, task.selection, parameters_.fixed_frame);
   }
   fill_outcome(response, response.forecast, task.settings);
   return response;
@@ -189,6 +214,8 @@ GetModelInfo::Response RolloutService::model_info() const {
   response.max_objects = static_cast<std::uint32_t>(info.max_objects);
   response.max_points = static_cast<std::uint32_t>(info.max_points);
   response.control_dim = static_cast<std::uint32_t>(info.control_dim);
+  response.model_steps_per_second = info.model_steps_per_s;
+  response.engine_steps_per_second = info.engine_steps_per_s;
   return response;
 }
 

@@ -73,7 +73,11 @@ inline const BadRequest kBadRequests[] = {
     {"no wall time", Response::TIMED_OUT, "max_wall_time",
      [](auto& r) { r.num_steps = 500, r.max_wall_time = ros::Duration(1e-9); }},
     {"sparse record", Response::INVALID_REQUEST, "record_every", [](auto& r) { r.record_every = 4000; }},
-    {"candidate", Response::INVALID_REQUEST, "candidate.impulses", [](auto& r) { r.candidate.impulses.resize(1); }},
+    {"candidate", Response::INVALID_REQUEST, "candidate.overrides[0]",
+     [](auto& r) {
+       r.candidate.overrides.resize(1);
+       r.candidate.overrides[0].fields = 16;
+     }},
     {"lone previous", Response::INVALID_REQUEST, "previous_scene",
      [](auto& r) { r.previous_scene = scene_at(0.0, high_flight()); }},
     {"missing cloud", Response::INVALID_REQUEST, "scene.clouds",
