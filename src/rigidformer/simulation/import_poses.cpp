@@ -97,6 +97,7 @@ SceneRecording make_scene(const ImportOptions& options, const Shapes& shapes, co
   scene.name = frames.name;
   scene.frame_rate_hz = frames.frame_rate_hz;
   scene.gravity = {0.0, 0.0, options.gravity};
+  scene.ground = {};  // a table of poses says nothing about the floor under them
   scene.num_frames = static_cast<int>(frames.T_world_object.front().size());
   for (std::size_t k = 0; k < frames.ids.size(); ++k) {
     scene.objects.push_back(make_object(options, shapes, frames, k));

@@ -47,6 +47,7 @@ TEST_F(ImportPosesTest, ScenesHoldWhatWasMeasured) {
   EXPECT_EQ(scene.name, "3");
   EXPECT_NEAR(scene.frame_rate_hz, 100.0, 1e-6);
   EXPECT_EQ(scene.gravity.z(), -9.81);
+  EXPECT_EQ(scene.ground, GroundProperties());  // nothing is known of it
   ASSERT_EQ(scene.num_frames, 5);
   const RecordedObject &die = scene.objects[0], &table = scene.objects[1];
   EXPECT_LT((die.T_world_object[4].translation - Eigen::Vector3d(0.8, 0.0, 2.0)).norm(), 1e-9);
