@@ -32,12 +32,6 @@ std::vector<ObservedSolid> in_roles(const std::vector<ObservedSolid>& solids,
   return cast;
 }
 
-std::vector<ObjectState> states_of(const std::vector<CandidateObject>& objects) {
-  std::vector<ObjectState> states;
-  for (const CandidateObject& object : objects) states.push_back(object.state);
-  return states;
-}
-
 }  // namespace
 
 RolloutWorld::RolloutWorld(const StepMaker& maker, PerceivedObjects perceived, std::vector<CandidateObject> objects,
@@ -63,7 +57,8 @@ RolloutWorld::RolloutWorld(const StepMaker& maker, PerceivedObjects perceived, s
 
 void RolloutWorld::assume_roles() {
   const torch::Device device = perceived_.batch.points_reference.device();
-  const std::vector<ObjectState> states = states_of(objects_);
+  std::vector<ObjectState> states;
+  for (const CandidateObject& object : objects_) states.push_back(object.state);
   SceneBatch roles;
   store_roles(states, maker_.model->options, roles);
   for (const auto tensor :
@@ -77,7 +72,9 @@ void RolloutWorld::make_steps() {
   const ModelOptions& options = maker_.model->options;
   nearest_ = nearest_search(perceived_);
   if (maker_.fidelity == Fidelity::kEngine || options.engine_motion) {
-    engine_ = [this, step = make_engine_step(perceived_.batch, solids_.solids())](const SceneState& state) {
+    // A network's answer depends on the engine's: only where the engine answers alone, nothing is lost by sleep.
+    const Sleep sleep = maker_.fidelity == Fidelity::kEngine ? Sleep::kWhileHeld : Sleep::kNever;
+    engine_ = [this, step = make_engine_step(perceived_.batch, solids_.solids(), sleep)](const SceneState& state) {
       EngineMotion motion = step(state);
       pressed_ = motion.pressed;
       return motion;

@@ -86,6 +86,10 @@ class BulletWorld {
   BodyState state(int body) const;
   void set_state(int body, const BodyState& state);
 
+  /// A body that sleeps is left where it is, with no velocity, until something that is awake comes to touch it, be it
+  /// over others that sleep. Bodies are awake unless they are told to sleep.
+  void set_asleep(int body, bool asleep);
+
   /// True when the body touches or penetrates another body; the floor does not count.
   bool overlaps_any(int body) const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine_scene.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -24,19 +25,24 @@ GroundProperties known_ground(const SceneBatch& batch, std::int64_t b) {
   return {property(0), property(1)};
 }
 
+bool is_same(const RigidTransform& a, const RigidTransform& b) {
+  return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
+}
+
 bool is_finite(const BodyState& state) {
   return is_valid(state.T_world_object) && state.velocity.allFinite() && state.angular_velocity.allFinite();
 }
 
 }  // namespace
 
-EngineScene::EngineScene(const SceneBatch& batch, std::vector<ObservedSolid> solids, std::int64_t b)
+EngineScene::EngineScene(const SceneBatch& batch, std::vector<ObservedSolid> solids, std::int64_t b, Sleep sleep)
     : scene_(b),
       time_step_s_(value(batch.step_size[b]) / kFrameRateHz),
       gravity_(value(batch.gravity[b])),
       ground_height_m_(value(batch.ground_height[b])),
       world_(observed_world(time_step_s_, gravity_, known_ground(batch, b))),
-      bodies_(std::move(solids), 0.0) {
+      bodies_(std::move(solids), 0.0),
+      sleep_(sleep) {
   double total_mass_kg = 0.0;
   for (const ObservedSolid& solid : bodies_.solids()) total_mass_kg += *solid.properties.mass_kg;
   // Only ratios of masses matter to the motion, but the solver's tolerances are meant for masses of about 1 kg.
@@ -56,12 +62,15 @@ void EngineScene::add_body(const ObservedSolid& solid) {
 
 void EngineScene::step(const EngineStepPoses& poses, Tensor& certain) {
   const std::vector<ObservedSolid>& bodies = bodies_.solids();
+  const std::vector<bool> asleep = find_sleepers(poses);
   const std::vector<BodyState> states = observe(poses);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     world_.set_state(static_cast<int>(i), states[i]);
+    world_.set_asleep(static_cast<int>(i), asleep[i]);
     certain[scene_][bodies[i].object] = is_certain(bodies[i], states[i]);
   }
   world_.step_frame();
+  keep_pressed(asleep);
   std::vector<BodyState> arrived;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyState state = world_.state(static_cast<int>(i));
@@ -78,10 +87,38 @@ void EngineScene::step(const EngineStepPoses& poses, Tensor& certain) {
 std::vector<PressedPair> EngineScene::pressed() const {
   const auto object = [&](int body) { return body < 0 ? -1 : bodies_.solids()[static_cast<std::size_t>(body)].object; };
   std::vector<PressedPair> pairs;
-  for (const PressedBodies& pair : world_.pressed()) {
+  for (const PressedBodies& pair : pressed_) {
     pairs.push_back({scene_, object(pair.body_a), object(pair.body_b), pair.normal_impulse_Ns * mass_unit_kg_});
   }
   return pairs;
+}
+
+std::vector<bool> EngineScene::find_sleepers(const EngineStepPoses& poses) {
+  const std::vector<ObservedSolid>& bodies = bodies_.solids();
+  std::vector<bool> asleep(bodies.size(), false);
+  if (sleep_ == Sleep::kNever) return asleep;
+  std::vector<RigidTransform> T_world_now;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const RigidTransform now = poses.current.get(scene_, bodies[i].object);
+    const PoseTable& beside = bodies[i].dynamic ? poses.previous : poses.coming;
+    asleep[i] = !T_world_stepped_.empty() && is_same(now, T_world_stepped_[i]) &&
+                is_same(now, beside.get(scene_, bodies[i].object));
+    T_world_now.push_back(now);
+  }
+  T_world_stepped_ = std::move(T_world_now);
+  return asleep;
+}
+
+/// Sleepers press as they did when they fell asleep.
+void EngineScene::keep_pressed(const std::vector<bool>& asleep) {
+  const auto sleeps = [&](int body) { return body < 0 || asleep[static_cast<std::size_t>(body)]; };
+  std::vector<PressedBodies> pressed = world_.pressed();
+  for (const PressedBodies& pair : pressed_) {
+    const auto is_pair = [&](const PressedBodies& p) { return p.body_a == pair.body_a && p.body_b == pair.body_b; };
+    if (!sleeps(pair.body_a) || !sleeps(pair.body_b)) continue;
+    if (std::none_of(pressed.begin(), pressed.end(), is_pair)) pressed.push_back(pair);
+  }
+  pressed_ = std::move(pressed);
 }
 
 /// What is given already has the velocity with which it comes to its next pose.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pose_table.hpp"
+#include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/engine/solid_scene.hpp"
 #include "rigidformer/simulation/bullet_world.hpp"
 
@@ -21,7 +22,7 @@ struct EngineStepPoses {
 class EngineScene {
  public:
   /// The bodies `solids` of scene `b` of a batch, which is on the CPU.
-  EngineScene(const SceneBatch& batch, std::vector<ObservedSolid> solids, std::int64_t b);
+  EngineScene(const SceneBatch& batch, std::vector<ObservedSolid> solids, std::int64_t b, Sleep sleep);
 
   /// Takes the poses one step ahead: `current` to t + 1, `previous` to where free motion departs at t to arrive there
   /// with the velocities that the bodies have. Writes into `certain` [B, K] bool for which objects nothing is guessed.
@@ -32,6 +33,10 @@ class EngineScene {
 
  private:
   void add_body(const ObservedSolid& solid);
+  /// Which bodies the last step was taken with where they are now, and was undone since: what came of it was held at
+  /// rest. The same comes of it again, so long as nothing reaches them.
+  std::vector<bool> find_sleepers(const EngineStepPoses& poses);
+  void keep_pressed(const std::vector<bool>& asleep);
   std::vector<BodyState> observe(const EngineStepPoses& poses) const;
   std::vector<bool> fall(const std::vector<BodyState>& states) const;
   RigidTransform departure(const BodyState& arrived, bool falls) const;
@@ -45,6 +50,9 @@ class EngineScene {
   double mass_unit_kg_ = 1.0;
   BulletWorld world_;
   SolidScene bodies_;  ///< With the ground at height 0
+  Sleep sleep_;
+  std::vector<RigidTransform> T_world_stepped_;  ///< Poses from which the last step was taken
+  std::vector<PressedBodies> pressed_;
 };
 
 }  // namespace rigidformer

@@ -52,7 +52,7 @@ EngineStep make_engine_step(const ModelOptions& options, const SceneBatch& batch
   const Tensor centre = centre_reference.to(torch::kCPU, torch::kFloat64);
   const auto scenes = std::make_shared<Scenes>();
   for (std::int64_t b = 0; b < batch.num_scenes(); ++b) {
-    scenes->emplace_back(scene_batch, observe_solids(scene_batch, centre, b), b);
+    scenes->emplace_back(scene_batch, observe_solids(scene_batch, centre, b), b, Sleep::kNever);
   }
   return step_of(scenes, torch::zeros_like(scene_batch.object_mask));
 }
@@ -63,10 +63,10 @@ std::vector<ObservedSolid> make_solids(const SceneBatch& batch, const Tensor& ce
   return observe_solids(batch.to(torch::kCPU), centre_reference.to(torch::kCPU, torch::kFloat64), 0);
 }
 
-EngineStep make_engine_step(const SceneBatch& batch, const std::vector<ObservedSolid>& solids) {
+EngineStep make_engine_step(const SceneBatch& batch, const std::vector<ObservedSolid>& solids, Sleep sleep) {
   const SceneBatch scene_batch = batch.to(torch::kCPU);
   const auto scenes = std::make_shared<Scenes>();
-  scenes->emplace_back(scene_batch, solids, 0);
+  scenes->emplace_back(scene_batch, solids, 0, sleep);
   return step_of(scenes, torch::zeros_like(scene_batch.object_mask));
 }
 
@@ -81,7 +81,7 @@ bool has_physics_engine() { return false; }
 
 std::vector<ObservedSolid> make_solids(const SceneBatch&, const Tensor&) { return {}; }
 
-EngineStep make_engine_step(const SceneBatch&, const std::vector<ObservedSolid>&) {
+EngineStep make_engine_step(const SceneBatch&, const std::vector<ObservedSolid>&, Sleep) {
   throw std::runtime_error("a physics engine is needed: install libbullet-dev and build again");
 }
 

@@ -8,6 +8,10 @@
 
 namespace rigidformer {
 
+/// Whether an engine may leave out what rests. What is put back by whoever holds it at rest after a step (rest.hpp) and
+/// is where it was would be put back again: it sleeps until something comes to touch it.
+enum class Sleep { kNever, kWhileHeld };
+
 /// A physics engine on what the network sees: Bullet on the convex hulls of the clouds (see observed_hull.hpp) with the
 /// network's centres of mass [B, K, 3], to be called with the states of one rollout. Unknown material: the means of the
 /// MOVi scenes. Empty for models without engine_motion. Throws BodyError for the first object without a body, and
@@ -22,6 +26,6 @@ bool has_physics_engine();
 std::vector<ObservedSolid> make_solids(const SceneBatch& batch, const Tensor& centre_reference);
 
 /// The same for a batch of one scene whose bodies are made already, whatever the model.
-EngineStep make_engine_step(const SceneBatch& batch, const std::vector<ObservedSolid>& solids);
+EngineStep make_engine_step(const SceneBatch& batch, const std::vector<ObservedSolid>& solids, Sleep sleep);
 
 }  // namespace rigidformer

@@ -161,6 +161,13 @@ struct BulletWorld::Impl {
   mutable btDiscreteDynamicsWorld world;
   btBoxShape floor_shape;
   btRigidBody floor;
+  /// Bullet leaves whom it wakes about to sleep again, even in motion; here nobody falls asleep unasked.
+  void keep_awake() {
+    for (const Body& body : bodies) {
+      if (body.body->getActivationState() != ISLAND_SLEEPING) body.body->forceActivationState(DISABLE_DEACTIVATION);
+    }
+  }
+
   std::vector<Body> bodies;
 };
 
@@ -241,6 +248,11 @@ void BulletWorld::set_state(int body, const BodyState& state) {
   impl_->world.updateSingleAabb(&rigid);
 }
 
+void BulletWorld::set_asleep(int body, bool asleep) {
+  impl_->bodies.at(static_cast<std::size_t>(body))
+      .body->forceActivationState(asleep ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);
+}
+
 bool BulletWorld::overlaps_any(int body) const {
   btRigidBody* rigid = impl_->bodies.at(static_cast<std::size_t>(body)).body.get();
   for (const Body& other : impl_->bodies) {
@@ -257,6 +269,7 @@ void BulletWorld::step_frame() {
   impl_->solver.pressed.clear();
   for (int i = 0; i < impl_->settings.substeps; ++i) {
     impl_->world.stepSimulation(static_cast<btScalar>(time_step_s), 0);
+    impl_->keep_awake();
   }
 }
 
