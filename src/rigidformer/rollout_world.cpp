@@ -20,6 +20,10 @@ constexpr double kUnmoved = 1e-6;         // [m], [rad] of a given body during a
 
 bool is_finite(const RigidTransform& T) { return T.translation.allFinite() && T.rotation.coeffs().allFinite(); }
 
+bool any(const std::vector<bool>& values) { return std::find(values.begin(), values.end(), true) != values.end(); }
+
+bool is_given(const CandidateObject& object) { return object.state.mode != MotionMode::kDynamic; }
+
 /// The solids in the roles and of the material that a candidate gives them.
 std::vector<ObservedSolid> in_roles(const std::vector<ObservedSolid>& solids,
                                     const std::vector<CandidateObject>& objects) {
@@ -151,10 +155,8 @@ void RolloutWorld::push() {
 }
 
 void RolloutWorld::set_coming() {
-  const auto follows = [](const CandidateObject& object) { return object.track.has_value(); };
-  if (std::none_of(objects_.begin(), objects_.end(), follows)) return;
+  state_.coming = std::any_of(objects_.begin(), objects_.end(), is_given) ? coming_pose(state_) : state_.current;
   const double time_s = forecast_.times_s.back() + rollout_.time_step_s;
-  state_.coming = coming_pose(state_);
   for (std::size_t k = 0; k < objects_.size(); ++k) {
     if (!objects_[k].track) continue;
     store_pose(pose_at(*objects_[k].track, time_s), perceived_.origin_world, state_.coming,
@@ -165,15 +167,16 @@ void RolloutWorld::set_coming() {
 /// What is pushed, or touched by something that is moved or pushed: a contact passes the motion on.
 std::vector<bool> RolloutWorld::moved_by_others() const {
   std::vector<bool> moved = pushed_;
-  const std::vector<RigidTransform> coming = to_world(coming_pose(state_), Eigen::Vector3d::Zero());
+  if (!any(moved) && std::none_of(objects_.begin(), objects_.end(), is_given)) return moved;
+  const std::vector<RigidTransform> coming = to_world(state_.coming, Eigen::Vector3d::Zero());
   std::vector<RigidTransform> T = to_world(state_.current, Eigen::Vector3d::Zero());
   for (std::size_t k = 0; k < objects_.size(); ++k) {
-    if (objects_[k].state.mode == MotionMode::kDynamic) continue;
+    if (!is_given(objects_[k])) continue;
     moved[k] = (coming[k].translation - T[k].translation).norm() > kUnmoved ||
                rotation_angle(coming[k].rotation, T[k].rotation) > kUnmoved;
     T[k] = coming[k];
   }
-  if (std::none_of(moved.begin(), moved.end(), [](bool is_moved) { return is_moved; })) return moved;
+  if (!any(moved)) return moved;
   if (solids_.solids().empty()) return std::vector<bool>(objects_.size(), true);
   const std::vector<SolidGap> gaps = solids_.gaps(solids_.body_poses(T), kTouching_m);
   for (bool changed = true; changed;) {
@@ -183,7 +186,7 @@ std::vector<bool> RolloutWorld::moved_by_others() const {
       const auto a = static_cast<std::size_t>(gap.body), b = static_cast<std::size_t>(gap.partner);
       if (moved[a] == moved[b]) continue;
       const std::size_t other = moved[a] ? b : a;
-      if (objects_[other].state.mode != MotionMode::kDynamic) continue;
+      if (is_given(objects_[other])) continue;
       moved[other] = changed = true;
     }
   }
@@ -192,7 +195,7 @@ std::vector<bool> RolloutWorld::moved_by_others() const {
 
 Tensor RolloutWorld::exempt() const {
   const std::vector<bool> moved = moved_by_others();
-  if (std::none_of(moved.begin(), moved.end(), [](bool is_moved) { return is_moved; })) return {};
+  if (!any(moved)) return {};
   Tensor mask = torch::zeros({1, static_cast<std::int64_t>(moved.size())}, torch::kBool);
   for (std::size_t k = 0; k < moved.size(); ++k) mask[0][static_cast<std::int64_t>(k)] = static_cast<bool>(moved[k]);
   return mask.to(perceived_.batch.dynamic_mask.device());
@@ -255,7 +258,7 @@ void RolloutWorld::record_contacts() {
 
 /// What came to rest is held like everything else again.
 void RolloutWorld::settle_pushed(const SceneState& next) {
-  if (std::none_of(pushed_.begin(), pushed_.end(), [](bool is_pushed) { return is_pushed; })) return;
+  if (!any(pushed_)) return;
   const std::vector<RigidTransform> before = to_world(state_.current, Eigen::Vector3d::Zero());
   const std::vector<RigidTransform> after = to_world(next.current, Eigen::Vector3d::Zero());
   SettleCriterion still;

@@ -9,7 +9,13 @@ namespace {
 
 constexpr double kShareOfFall = 0.5;  // share of the speed that free fall from rest gains in a step; chosen by eye
 
-/// Whether each object moved less than the limits allow within one step of dt, [B, K] bool.
+/// Poses of several instants as one, [N, B, K, ...]: a step has few objects, so that the number of operations counts.
+Pose stack(const Pose& a, const Pose& b, const Pose& c) {
+  return {torch::stack({a.rotation, b.rotation, c.rotation}),
+          torch::stack({a.translation, b.translation, c.translation})};
+}
+
+/// Whether each object moved less than the limits allow within one step of dt, [N, B, K] bool.
 Tensor is_still(const Pose& from, const Pose& to, const Tensor& dt, const Tensor& max_speed, double max_spin) {
   const Tensor distance = (to.translation - from.translation).norm(2, -1);
   // The norm |R - R'| = sqrt(8) sin(angle / 2) is accurate for small angles, where the trace is not.
@@ -36,11 +42,10 @@ void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& n
   const Pose raised = highest_point_departure(batch, last.previous);
   const Tensor may_be_held =
       exempt.defined() ? batch.dynamic_mask.logical_and(exempt.logical_not()) : batch.dynamic_mask;
-  const Tensor held = is_still(last.previous, last.current, dt, max_speed, limits.spin_radps)
-                          .logical_or(is_still(raised, last.current, dt, max_speed, limits.spin_radps))
-                          .logical_and(is_still(last.current, next.current, dt, max_speed, limits.spin_radps))
-                          .logical_and(may_be_held)
-                          .unsqueeze(-1);
+  const Tensor still = is_still(stack(last.previous, raised, last.current),
+                                stack(last.current, last.current, next.current), dt, max_speed, limits.spin_radps);
+  const Tensor was_still = still[0].logical_or(still[1]);
+  const Tensor held = was_still.logical_and(still[2]).logical_and(may_be_held).unsqueeze(-1);
   for (Pose* pose : {&next.previous, &next.current}) {
     pose->translation = torch::where(held, last.current.translation, pose->translation);
     pose->rotation = torch::where(held.unsqueeze(-1), last.current.rotation, pose->rotation);
