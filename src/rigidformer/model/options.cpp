@@ -186,7 +186,8 @@ void validate(const ModelOptions& options) {
         o.engine_motion, "off without inertial_base_motion, velocity_output and end_velocity_output");
   check(!o.contact_tokens || (o.inertial_base_motion && o.velocity_output && o.end_velocity_output), "contact_tokens",
         o.contact_tokens, "off without inertial_base_motion, velocity_output and end_velocity_output");
-  check(!o.hidden_side_head || o.engine_motion, "hidden_side_head", o.hidden_side_head, "off without engine_motion");
+  check(!o.hidden_side_head || o.engine_motion || o.contact_tokens, "hidden_side_head", o.hidden_side_head,
+        "off without engine_motion and contact_tokens, which alone ask for hulls");
   check(approximate_weights(o) <= kMaxWeights, "number of weights", approximate_weights(o), "at most 1e9");
 }
 

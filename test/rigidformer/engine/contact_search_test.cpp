@@ -39,6 +39,16 @@ TEST(ContactSearch, ModelsWithoutContactTokensHaveNone) {
   EXPECT_FALSE(make_contact_search(model_preset("tiny"), Cubes(1).batch, Cubes(1).centre));
 }
 
+TEST(ContactSearch, TheSideThatIsGuessedMeetsOthers) {
+  Cubes scene = approaching(0.35, 4.8);
+  scene.batch.points_reference[0][0].select(1, 0).fill_(-0.5);  // only the far face of the first cube is seen
+  scene.batch.hidden_points = scene.batch.points_reference.clone();
+  scene.batch.hidden_points[0][0].select(1, 0).fill_(0.8);
+  const Contacts contacts = contacts_of(scene);
+  ASSERT_EQ(contacts.count(), 2);
+  EXPECT_NEAR(contacts.fraction[0].item<double>(), 0.25, 0.006) << "0.05 m of 0.2 m";
+}
+
 TEST(ContactSearch, TellsBothSidesWhenAndWhereTheyMeet) {
   const double speed_mps = 4.8;  // 0.2 m during a step of 10 frames
   const Contacts contacts = contacts_of(approaching(0.05, speed_mps));

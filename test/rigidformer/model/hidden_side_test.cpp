@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rigidformer/data/example_archive.hpp"
 #include "rigidformer/model/random_scene.hpp"
 
 namespace rigidformer {
@@ -71,6 +72,14 @@ TEST_F(HiddenSideTest, TheModelGuessesInTheReferenceFrame) {
                               scene.state.current.apply(centre.unsqueeze(2)).squeeze(2));
   EXPECT_LT(largest_difference(scene.state.current.apply(guess), world), 1e-9);
   EXPECT_FALSE(random_model(model_preset("tiny"))->hidden_side(scene.batch, scene.state.current, centre).defined());
+}
+
+TEST_F(HiddenSideTest, OnlyModelsThatAskForHullsHaveTheHead) {
+  ModelOptions options = contact_aware(model_preset("tiny"));
+  options.hidden_side_head = true;
+  EXPECT_NE(error_of([&] { validate(options); }).find("hidden_side_head"), std::string::npos);
+  options.contact_tokens = true;
+  EXPECT_EQ(error_of([&] { validate(options); }), "");
 }
 
 }  // namespace
