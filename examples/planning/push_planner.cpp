@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which push brings an object nearest to a place? Random pushes of the object that the node sees are rolled out by the
-// engine. It needs a running node, and the object's mass must be known.
-//   rosrun rigidformer_ros push_planner cup 1.0 0.0
+// engine. It needs a running node, and the object's mass [kg].
+//   rosrun rigidformer_ros push_planner cup 1.0 0.0 0.3
 #include <ros/init.h>
 
 #include <cstdio>
@@ -15,8 +15,8 @@
 int main(int argc, char** argv) try {
   ros::init(argc, argv, "push_planner", ros::init_options::AnonymousName);
   const ros::NodeHandle keeps_ros_alive;
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: push_planner ID X Y\n");
+  if (argc != 5) {
+    std::fprintf(stderr, "usage: push_planner ID X Y MASS\n");
     return 2;
   }
   const std::string id = argv[1];
@@ -25,6 +25,13 @@ int main(int argc, char** argv) try {
   rigidformer_ros::BatchRequest request;
   request.fidelity = rigidformer_ros::BatchRequest::ENGINE;
   request.num_steps = 48;
+  request.record = rigidformer_ros::BatchRequest::POSES;  // rviz draws them
+  rigidformer_ros::StateOverride assumed;
+  assumed.id = id;
+  assumed.fields = rigidformer_ros::StateOverride::PROPERTIES;
+  assumed.properties.known = rigidformer_ros::PhysicalProperties::MASS;
+  assumed.properties.mass = std::atof(argv[4]);
+  request.base.overrides = {assumed};
   request.candidates.resize(64);
   std::mt19937 random(1);
   std::normal_distribution<double> impulse_Ns(0.0, 2.0);

@@ -73,7 +73,7 @@ class PlanningModule(unittest.TestCase):
             rospy.sleep(0.05)
         root = pathlib.Path(__file__).resolve().parents[3]
         for program in (['rosrun', 'rigidformer_ros', 'push_planner'], [str(root / 'examples/planning/push_planner.py')]):
-            done = subprocess.run(program + ['left', '-1.0', '0.0'], capture_output=True, text=True, check=False,
+            done = subprocess.run(program + ['left', '-1.0', '0.0', '1.0'], capture_output=True, text=True, check=False,
                                   timeout=120)
             self.assertEqual(0, done.returncode, done.stderr)
             self.assertIn('from the goal', done.stdout)
