@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "rigidformer/engine/contact_search.hpp"
 #include "rigidformer/engine/engine_step.hpp"
 #include "rigidformer/model/command.hpp"
 #include "rigidformer/model/given_motion.hpp"
@@ -25,15 +24,20 @@ bool any(const std::vector<bool>& values) { return std::find(values.begin(), val
 bool is_given(const CandidateObject& object) { return object.state.mode != MotionMode::kDynamic; }
 
 /// The solids in the roles and of the material that a candidate gives them.
-std::vector<ObservedSolid> in_roles(const std::vector<ObservedSolid>& solids,
-                                    const std::vector<CandidateObject>& objects) {
-  std::vector<ObservedSolid> cast;
-  for (std::size_t k = 0; k < solids.size(); ++k) {
+PerceivedObjects in_roles(PerceivedObjects perceived, const std::vector<CandidateObject>& objects) {
+  for (std::size_t k = 0; k < perceived.solids.size(); ++k) {
     const ObjectState& state = objects[k].state;
-    cast.push_back(
-        with_role(solids[k], static_cast<std::int64_t>(k), state.mode == MotionMode::kDynamic, state.properties));
+    perceived.solids[k] = with_role(std::move(perceived.solids[k]), static_cast<std::int64_t>(k),
+                                    state.mode == MotionMode::kDynamic, state.properties);
   }
-  return cast;
+  return perceived;
+}
+
+/// [1, K] bool.
+Tensor mask_of(const std::vector<bool>& values, const torch::Device& device) {
+  Tensor mask = torch::zeros({1, static_cast<std::int64_t>(values.size())}, torch::kBool);
+  std::copy(values.begin(), values.end(), mask.data_ptr<bool>());
+  return mask.to(device);
 }
 
 }  // namespace
@@ -42,9 +46,9 @@ RolloutWorld::RolloutWorld(const StepMaker& maker, PerceivedObjects perceived, s
                            const RolloutOptions& rollout, Forecast& forecast)
     : maker_(maker),
       rollout_(rollout),
-      perceived_(std::move(perceived)),
+      perceived_(in_roles(std::move(perceived), objects)),
       objects_(std::move(objects)),
-      solids_(in_roles(perceived_.solids, objects_), perceived_.batch.ground_height[0].item<double>()),
+      solids_(perceived_.solids, perceived_.batch.ground_height[0].item<double>()),
       pushed_(objects_.size(), false),
       forecast_(forecast) {
   assume_roles();
@@ -73,28 +77,11 @@ void RolloutWorld::assume_roles() {
 }
 
 void RolloutWorld::make_steps() {
-  const ModelOptions& options = maker_.model->options;
-  nearest_ = nearest_search(perceived_);
-  if (maker_.fidelity == Fidelity::kEngine || options.engine_motion) {
-    // A network's answer depends on the engine's: only where the engine answers alone, nothing is lost by sleep.
-    const Sleep sleep = maker_.fidelity == Fidelity::kEngine ? Sleep::kWhileHeld : Sleep::kNever;
-    engine_ = [this, step = make_engine_step(perceived_.batch, solids_.solids(), sleep)](const SceneState& state) {
-      EngineMotion motion = step(state);
-      pressed_ = motion.pressed;
-      return motion;
-    };
+  if (maker_.fidelity == Fidelity::kEngine) {
+    engine_ = make_engine_step(perceived_.batch, solids_.solids(), Sleep::kWhileHeld);
+  } else {
+    network_ = std::make_unique<NetworkSteps>(maker_.model, perceived_);
   }
-  if (maker_.fidelity == Fidelity::kEngine || !options.contact_tokens) return;
-  contacts_ = [this, search = make_contact_search(options, perceived_.batch, solids_.solids())](const Pose& from,
-                                                                                                const Pose& to) {
-    Contacts contacts = search(from, to);
-    met_.clear();
-    for (std::int64_t i = 0; i < contacts.count(); ++i) {
-      if (contacts.gap[i].item<double>() > kContact_m) continue;
-      met_.emplace_back(contacts.object[i].item<std::int64_t>(), contacts.partner[i].item<std::int64_t>());
-    }
-    return contacts;
-  };
 }
 
 /// Bodies that a camera saw overlap a little; what a candidate places must not begin inside something.
@@ -193,20 +180,28 @@ std::vector<bool> RolloutWorld::moved_by_others() const {
   return moved;
 }
 
-Tensor RolloutWorld::exempt() const {
-  const std::vector<bool> moved = moved_by_others();
-  if (!any(moved)) return {};
-  Tensor mask = torch::zeros({1, static_cast<std::int64_t>(moved.size())}, torch::kBool);
-  for (std::size_t k = 0; k < moved.size(); ++k) mask[0][static_cast<std::int64_t>(k)] = static_cast<bool>(moved[k]);
-  return mask.to(perceived_.batch.dynamic_mask.device());
+/// What is exempt from being held at rest is awake, too; a new command may set anything in motion.
+StepParts RolloutWorld::find_parts(const std::vector<bool>& moved) {
+  const bool may_sleep = maker_.rest.speed_mps > 0.0 && rollout_.control.size() <= 1 && !solids_.solids().empty();
+  if (!may_sleep) return everybody(objects_.size());
+  std::vector<bool> asleep = sleepers_.find(perceived_.batch, state_);
+  for (std::size_t k = 0; k < asleep.size(); ++k) asleep[k] = asleep[k] && !moved[k];
+  if (!any(asleep)) return everybody(objects_.size());
+  const std::vector<RigidTransform> coming = to_world(state_.coming, Eigen::Vector3d::Zero());
+  return rigidformer::find_parts(solids_, body_poses(), solids_.body_poses(coming), asleep);
 }
 
-StepPrediction RolloutWorld::predict() {
+StepPrediction RolloutWorld::predict(const std::vector<bool>& moved) {
   if (maker_.fidelity == Fidelity::kEngine) {
     const EngineMotion motion = engine_(state_);
+    pressed_ = motion.pressed;
     return {Tensor(), motion.pose, motion.departure};
   }
-  return maker_.model->forward(perceived_.batch, state_, perceived_.centre, nearest_, engine_, contacts_);
+  parts_ = find_parts(moved);
+  const StepPrediction prediction = network_->predict(state_, parts_);
+  pressed_ = network_->pressed();
+  met_ = network_->met();
+  return prediction;
 }
 
 void RolloutWorld::step() {
@@ -215,8 +210,13 @@ void RolloutWorld::step() {
   set_coming();
   const Tensor command = command_of_step(rollout_, steps_done());
   if (command.defined()) perceived_.batch.control = command.to(perceived_.batch.gravity.device());
-  SceneState next = advance(perceived_.batch, state_, predict());
-  if (maker_.rest.speed_mps > 0.0) hold_resting(perceived_.batch, state_, next, maker_.rest, exempt());
+  const bool holds = maker_.rest.speed_mps > 0.0;
+  const std::vector<bool> moved = holds ? moved_by_others() : std::vector<bool>(objects_.size(), false);
+  SceneState next = advance(perceived_.batch, state_, predict(moved));
+  if (holds) {
+    const Tensor exempt = any(moved) ? mask_of(moved, perceived_.batch.dynamic_mask.device()) : Tensor();
+    hold_resting(perceived_.batch, state_, next, maker_.rest, exempt);
+  }
   forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);
   record(next);
   settle_pushed(next);

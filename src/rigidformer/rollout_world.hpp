@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "rigidformer/candidate_objects.hpp"
 #include "rigidformer/engine/body_motion.hpp"
 #include "rigidformer/model/rest.hpp"
+#include "rigidformer/network_steps.hpp"
 #include "rigidformer/perceived_objects.hpp"
+#include "rigidformer/step_parts.hpp"
 #include "rigidformer/world_contacts.hpp"
 
 namespace rigidformer {
@@ -33,6 +36,9 @@ class RolloutWorld {
 
   void step();
 
+  /// Indices of the objects that the network saw in the last step.
+  const std::vector<std::int64_t>& seen() const { return parts_.seen; }
+
  private:
   void assume_roles();
   void make_steps();
@@ -42,9 +48,9 @@ class RolloutWorld {
   void set_motion(std::size_t k, const BodyPoses& poses, const BodyState& motion);
   void push();
   void set_coming();
-  Tensor exempt() const;
   std::vector<bool> moved_by_others() const;
-  StepPrediction predict();
+  StepParts find_parts(const std::vector<bool>& moved);
+  StepPrediction predict(const std::vector<bool>& moved);
   void record(SceneState& next);
   void freeze(SceneState& next, std::int64_t k);
   void record_contacts();
@@ -59,9 +65,10 @@ class RolloutWorld {
   std::vector<CandidateObject> objects_;
   SolidScene solids_;
   SceneState state_;
-  NearestSearch nearest_;
-  EngineStep engine_;
-  ContactSearch contacts_;
+  EngineStep engine_;                      ///< Where the engine answers alone
+  std::unique_ptr<NetworkSteps> network_;  ///< Where it does not
+  Sleepers sleepers_;
+  StepParts parts_;           ///< Of the last step of the network
   std::vector<bool> pushed_;  ///< Set in motion by a twist or a push, and not at rest since
   std::vector<PressedPair> pressed_;
   std::vector<ObjectPair> met_;  ///< That free motion brings together during the step
