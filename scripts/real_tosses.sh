@@ -74,7 +74,8 @@ score() {  # FILE DATA OPTIONS: skips what is there
     --horizons 20,30,40,60 "${@:3}" >&2
 }
 see_as() { if [ "$1" = one_view ]; then see=(--view --noise 0.002); else see=(--noise 0); fi; }
-declare -A model=([rigidformer]=$root/models/small.safetensors [network]=$root/models/network.safetensors)
+declare -A model=([rigidformer]=$root/models/small.safetensors [network]=$root/models/network.safetensors
+  [varied]=$root/models/varied.safetensors)
 engines=bullet,mujoco
 for seen in complete one_view; do
   see_as $seen
@@ -82,7 +83,7 @@ for seen in complete one_view; do
     name=$split.$seen.$material
     score "$out/$name.engines.json" "$split" "${see[@]}" --properties $material --to-the-end --model none \
       --baselines ballistic,$engines --json "$out/$name.engines.json"
-    for contestant in rigidformer network; do
+    for contestant in rigidformer network varied; do
       score "$out/$name.$contestant.json" "$split" "${see[@]}" --properties $material --to-the-end \
         --model "${model[$contestant]}" --baselines none --json "$out/$name.$contestant.json"
     done
@@ -106,9 +107,9 @@ for seen in complete one_view; do
   done
 done
 
-declare -A training=([rigidformer]=tosses.yaml [network]=tosses_network.yaml)
+declare -A training=([rigidformer]=tosses.yaml [network]=tosses_network.yaml [varied]=tosses_varied.yaml)
 for k in $fine_tune; do
-  for name in rigidformer network; do
+  for name in rigidformer network varied; do
     tuned=$out/tuned/${name}_$k
     if [ ! -e "$tuned/model.safetensors" ]; then
       echo "real_tosses: fine-tuning $name on $k tosses" >&2

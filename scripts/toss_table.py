@@ -12,7 +12,7 @@ import re
 import sys
 
 HORIZONS = (20, 30, 40, 60)
-NAMES = {'rigidformer': 'shipped model', 'network': 'network alone'}
+NAMES = {'rigidformer': 'shipped model', 'network': 'network alone', 'varied': 'network alone, varied physics'}
 SEEN = {'complete': '512 points of the whole surface', 'one_view': 'those of them that one camera sees, 2 mm noise'}
 
 
@@ -62,7 +62,7 @@ def line(name, material, results):
 def table(folder, split, seen):
     lines = []
     for material, words in (('unknown', 'unknown'), ('known', 'as published')):
-        for file in ('rigidformer', 'network', 'engines'):
+        for file in ('rigidformer', 'network', 'varied', 'engines'):
             path = folder / f'{split}.{seen}.{material}.{file}.json'
             for model, results in rows_of(path).items():
                 lines.append(line(NAMES[file] if file in NAMES else model, words, results))
