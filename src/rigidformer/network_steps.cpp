@@ -27,6 +27,10 @@ PerceivedObjects take_rows(const PerceivedObjects& scene, const std::vector<std:
   return taken;
 }
 
+EngineStep engine_of(const ModelOptions& options, const PerceivedObjects& objects) {
+  return make_engine_step(objects.batch, objects.solids, options.advisers, Sleep::kNever);
+}
+
 /// Replaces the pairs of which one may move by those of `found`.
 template <typename Pair, typename Moves>
 void replace_moving(const std::vector<Pair>& found, const Moves& moves, std::vector<Pair>& pairs) {
@@ -43,7 +47,7 @@ NetworkView::NetworkView(RigidFormer model, const PerceivedObjects& scene, std::
       nearest_(nearest_search(objects_)) {
   if (!is_whole(scene, rows_)) row_index_ = index_tensor(rows_, scene.centre);
   const ModelOptions& options = model_->options;
-  if (options.engine_motion) engine_ = watched(make_engine_step(objects_.batch, objects_.solids, Sleep::kNever));
+  if (options.engine_motion) engine_ = watched(engine_of(options, objects_));
   if (options.contact_tokens) contacts_ = watched(make_contact_search(options, objects_.batch, objects_.solids));
 }
 
@@ -51,13 +55,13 @@ NetworkView::NetworkView(RigidFormer model, const PerceivedObjects& scene, std::
 /// own sleep.
 EngineStep NetworkView::watched(EngineStep step) {
   return [this, step = std::move(step)](const SceneState& state) {
-    EngineMotion motion = step(state);
-    pressed_ = motion.pressed;
+    std::vector<EngineMotion> advice = step(state);
+    pressed_ = advice.front().pressed;
     for (PressedPair& pair : pressed_) {
       pair.object = in_scene(pair.object);
       pair.partner = in_scene(pair.partner);
     }
-    return motion;
+    return advice;
   };
 }
 

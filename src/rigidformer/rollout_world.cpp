@@ -78,7 +78,7 @@ void RolloutWorld::assume_roles() {
 
 void RolloutWorld::make_steps() {
   if (maker_.fidelity == Fidelity::kEngine) {
-    engine_ = make_engine_step(perceived_.batch, solids_.solids(), Sleep::kWhileHeld);
+    engine_ = make_engine_step(perceived_.batch, solids_.solids(), 1, Sleep::kWhileHeld);
   } else {
     network_ = std::make_unique<NetworkSteps>(maker_.model, perceived_);
   }
@@ -193,7 +193,7 @@ StepParts RolloutWorld::find_parts(const std::vector<bool>& moved) {
 
 StepPrediction RolloutWorld::predict(const std::vector<bool>& moved) {
   if (maker_.fidelity == Fidelity::kEngine) {
-    const EngineMotion motion = engine_(state_);
+    const EngineMotion motion = engine_(state_).front();
     pressed_ = motion.pressed;
     return {Tensor(), motion.pose, motion.departure};
   }

@@ -89,7 +89,7 @@ TEST(NetworkSleep, EverybodyTogetherIsTheNetworkOnTheWholeScene) {
     const SceneState state = make_scene_state(objects, perceived.origin_world);
     const StepPrediction whole =
         model->forward(perceived.batch, state, perceived.centre, nearest_search(perceived),
-                       engine ? make_engine_step(perceived.batch, perceived.solids, Sleep::kNever) : EngineStep(),
+                       engine ? make_engine_step(perceived.batch, perceived.solids, 1, Sleep::kNever) : EngineStep(),
                        make_contact_search(model->options, perceived.batch, perceived.solids));
     SceneState here = state;
     here.coming = coming_pose(state);

@@ -19,6 +19,9 @@ inline EnumNames<PositionEncoding> names_of(PositionEncoding) {
           {"none", PositionEncoding::kNone}};
 }
 
+/// Guesses of unknown material that an engine can be asked with (engine/adviser_material.hpp).
+constexpr int kMaxAdvisers = 3;
+
 /// Every size and every switch of the network. Defaults are the `tiny` preset used in tests.
 /// Switches under "Beyond the paper" are off in the `paper` preset (docs/paper_map.md lists each deviation).
 struct ModelOptions {
@@ -73,6 +76,7 @@ struct ModelOptions {
   bool velocity_output = false;
   bool end_velocity_output = false;
   bool engine_motion = false;
+  int advisers = 1;
 
   // How a predictor uses the network, unless it is told otherwise
   int max_points = 256;
@@ -140,6 +144,8 @@ void for_each_switch(ModelOptions& o, const Visit& visit) {
         "the head also predicts the velocity at the end of the step");
   visit("engine_motion", o.engine_motion, anything().newer(),
         "a physics engine's step is an input, and part of the output by a learned gate");
+  visit("advisers", o.advisers, between(1, kMaxAdvisers).newer(),
+        "steps of the engine, each with its own guess of unknown material; the first takes the means of MOVi");
   visit("hidden_side_head", o.hidden_side_head, anything().newer(),
         "estimate the side that no camera sees, for the physics engine");
   visit("local_planes", o.local_planes, anything().newer(),

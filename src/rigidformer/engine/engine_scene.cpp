@@ -11,8 +11,6 @@
 namespace rigidformer {
 namespace {
 
-constexpr double kCertainSpeed_mps = 0.5;  // of the fastest point, above which a body is not about to tip
-
 double value(const Tensor& tensor) { return tensor.item<double>(); }
 
 /// Material of the ground of scene `b` as far as it is known.
@@ -60,14 +58,13 @@ void EngineScene::add_body(const ObservedSolid& solid) {
   }
 }
 
-void EngineScene::step(const EngineStepPoses& poses, Tensor& certain) {
+void EngineScene::step(const EngineStepPoses& poses) {
   const std::vector<ObservedSolid>& bodies = bodies_.solids();
   const std::vector<bool> asleep = find_sleepers(poses);
   const std::vector<BodyState> states = observe(poses);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     world_.set_state(static_cast<int>(i), states[i]);
     world_.set_asleep(static_cast<int>(i), asleep[i]);
-    certain[scene_][bodies[i].object] = is_certain(bodies[i], states[i]);
   }
   world_.step_frame();
   keep_pressed(asleep);
@@ -163,11 +160,6 @@ RigidTransform EngineScene::departure(const BodyState& arrived, bool falls) cons
 double EngineScene::fall_before_step() const {
   const int kicks = observed_world(time_step_s_, gravity_, {}).substeps;
   return half_fall(time_step_s_, gravity_) * (1.0 - 1.0 / kicks);
-}
-
-/// Whether something keeps still or tips over depends on the few points it stands on, which a sampled hull misses.
-bool EngineScene::is_certain(const ObservedSolid& body, const BodyState& state) {
-  return body.fully_known && state.velocity.norm() + body.radius_m * state.angular_velocity.norm() > kCertainSpeed_mps;
 }
 
 RigidTransform EngineScene::on_ground(const ObservedSolid& body, const RigidTransform& T_world_reference) const {

@@ -25,8 +25,8 @@ class EngineScene {
   EngineScene(const SceneBatch& batch, std::vector<ObservedSolid> solids, std::int64_t b, Sleep sleep);
 
   /// Takes the poses one step ahead: `current` to t + 1, `previous` to where free motion departs at t to arrive there
-  /// with the velocities that the bodies have. Writes into `certain` [B, K] bool for which objects nothing is guessed.
-  void step(const EngineStepPoses& poses, Tensor& certain);
+  /// with the velocities that the bodies have.
+  void step(const EngineStepPoses& poses);
 
   /// What pressed on what during the last step.
   std::vector<PressedPair> pressed() const;
@@ -41,7 +41,6 @@ class EngineScene {
   std::vector<bool> fall(const std::vector<BodyState>& states) const;
   RigidTransform departure(const BodyState& arrived, bool falls) const;
   double fall_before_step() const;
-  static bool is_certain(const ObservedSolid& body, const BodyState& state);
   RigidTransform on_ground(const ObservedSolid& body, const RigidTransform& T_world_reference) const;
   RigidTransform from_ground(const ObservedSolid& body, RigidTransform T_ground_body) const;
 

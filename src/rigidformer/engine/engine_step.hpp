@@ -13,9 +13,10 @@ namespace rigidformer {
 enum class Sleep { kNever, kWhileHeld };
 
 /// A physics engine on what the network sees: Bullet on the convex hulls of the clouds (see observed_hull.hpp) with the
-/// network's centres of mass [B, K, 3], to be called with the states of one rollout. Unknown material: the means of the
-/// MOVi scenes. Empty for models without engine_motion. Throws BodyError for the first object without a body, and
-/// std::runtime_error when the model needs an engine and none was there at build time.
+/// network's centres of mass [B, K, 3], to be called with the states of one rollout. Unknown material is guessed by
+/// each of the model's advisers (adviser_material.hpp). Empty for models without engine_motion. Throws BodyError for
+/// the first object without a body, and std::runtime_error when the model needs an engine and none was there at build
+/// time.
 EngineStep make_engine_step(const ModelOptions& options, const SceneBatch& batch, const Tensor& centre_reference);
 
 /// Whether Bullet was there at build time.
@@ -26,6 +27,7 @@ bool has_physics_engine();
 std::vector<ObservedSolid> make_solids(const SceneBatch& batch, const Tensor& centre_reference);
 
 /// The same for a batch of one scene whose bodies are made already, whatever the model.
-EngineStep make_engine_step(const SceneBatch& batch, const std::vector<ObservedSolid>& solids, Sleep sleep);
+EngineStep make_engine_step(const SceneBatch& batch, const std::vector<ObservedSolid>& solids, int advisers,
+                            Sleep sleep);
 
 }  // namespace rigidformer

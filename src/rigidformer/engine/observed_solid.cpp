@@ -74,7 +74,6 @@ ObservedSolid observe_solid(const SceneBatch& batch, const Tensor& centre_refere
   solid.shape = std::make_shared<CollisionShape>(Shape{"", 1.0, {observed.hull}}, 1.0);
   solid.volume_m3 = observed.volume_m3;
   solid.radius_m = static_cast<double>(observed.hull.vertices.rowwise().norm().maxCoeff());
-  solid.complete = observed.complete;
   solid.centre_reference = observed.centre_of_mass;
   return with_role(std::move(solid), k, element<bool>(batch.dynamic_mask, {b, k}), known_properties(batch, b, k));
 }
@@ -84,8 +83,8 @@ ObservedSolid observe_solid(const SceneBatch& batch, const Tensor& centre_refere
 ObservedSolid with_role(ObservedSolid solid, std::int64_t object, bool dynamic, const BodyProperties& known) {
   solid.object = object;
   solid.dynamic = dynamic;
+  solid.known = known;
   solid.properties = with_means(known, solid.volume_m3);
-  solid.fully_known = solid.complete && known.mass_kg && known.friction && known.restitution;
   return solid;
 }
 

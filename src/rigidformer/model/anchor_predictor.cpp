@@ -26,14 +26,14 @@ Tensor CrossAttentionLayerImpl::forward(const TokenSet& query, const TokenSet& k
 }
 
 std::int64_t num_anchor_outputs(const ModelOptions& options) {
-  return 3 + (options.end_velocity_output ? 3 : 0) + (options.engine_motion ? 1 : 0);
+  return 3 + (options.end_velocity_output ? 3 : 0) + (options.engine_motion ? options.advisers : 0);
 }
 
 AnchorPredictorImpl::AnchorPredictorImpl(const ModelOptions& model_options) : options(model_options) {
   const std::int64_t D = options.embedding_dim;
-  const std::int64_t state_dim = num_vertex_features(options) + 3 + options.avp_dim + num_engine_features(options) +
-                                 (options.contact_tokens ? kContactAnchorFeatures : 0) +
-                                 num_ground_features(options);  // 271 in the paper
+  const std::int64_t state_dim = num_vertex_features(options) + 3 + options.avp_dim +
+                                 (options.contact_tokens ? kContactAnchorFeatures : 0) + num_ground_features(options) +
+                                 num_engine_features(options);  // 271 in the paper
   to_query = register_module("to_query", Mlp(state_dim, D, D));
   if (options.own_token_in_query) own_token = register_module("own_token", Linear(D, D, false));
   const size_t num_layers = options.scales.size() * static_cast<size_t>(options.predictor_layers_per_scale);

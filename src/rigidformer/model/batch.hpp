@@ -106,16 +106,15 @@ struct PressedPair {
   double normal_impulse_Ns = 0.0;                    ///< Sum over the step, with estimates of unknown masses
 };
 
-/// The next step as a physics engine makes it.
+/// The next step as a physics engine makes it, with one guess of what is unknown.
 struct EngineMotion {
   Pose pose;       ///< Pose at t + 1
   Pose departure;  ///< Pose at t from which free motion arrives at `pose` with the velocity that the engine gives it
-  Tensor certain;  ///< [B, K] bool, true = moving, seen from all sides, of known material; undefined = none is
   std::vector<PressedPair> pressed = {};
 };
 
-/// One step of a physics engine on the objects of a batch.
-using EngineStep = std::function<EngineMotion(const SceneState&)>;
+/// One step of a physics engine on the objects of a batch, as each of its advisers makes it (ModelOptions::advisers).
+using EngineStep = std::function<std::vector<EngineMotion>(const SceneState&)>;
 
 /// Where surfaces meet during a step of free motion: C contacts of all scenes of a batch, each told once per side that
 /// can move. What the bodies are made of comes along, because a hull is known only to whoever searches for contacts.

@@ -115,7 +115,9 @@ std::int64_t num_vertex_features(const ModelOptions& options) {
   return count;
 }
 
-std::int64_t num_engine_features(const ModelOptions& options) { return options.engine_motion ? 6 : 0; }
+std::int64_t num_engine_features(const ModelOptions& options) {
+  return options.engine_motion ? 6 * options.advisers : 0;
+}
 
 std::int64_t num_ground_features(const ModelOptions& options) { return options.ground_material ? kGroundCode : 0; }
 
@@ -125,11 +127,15 @@ Tensor ground_features(const ModelOptions& options, const SceneBatch& batch, std
 }
 
 Tensor engine_features(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                       const EngineMotion& engine, const Tensor& points_reference) {
+                       const std::vector<EngineMotion>& advice, const Tensor& points_reference) {
   const Tensor unit = batch.time_step().reshape({-1, 1, 1, 1}) * kSpeedUnit;
-  const Tensor over_step = engine.pose.apply(points_reference) - base.apply(points_reference);
-  const Tensor beyond = state.current.apply(points_reference) - engine.departure.apply(points_reference);
-  return torch::cat({over_step, beyond}, -1) / unit;
+  const Tensor moved_freely = base.apply(points_reference), points_world = state.current.apply(points_reference);
+  std::vector<Tensor> features;
+  for (const EngineMotion& motion : advice) {
+    features.push_back(motion.pose.apply(points_reference) - moved_freely);
+    features.push_back(points_world - motion.departure.apply(points_reference));
+  }
+  return torch::cat(features, -1) / unit;
 }
 
 Tensor vertex_features(const ModelOptions& options, const SceneBatch& batch, const SceneState& state,

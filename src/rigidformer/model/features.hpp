@@ -24,7 +24,7 @@ Tensor ground_features(const ModelOptions& options, const SceneBatch& batch, std
 /// How the engine's step differs from the base motion at points [B, K, *, 3] of the reference frame, by the change of
 /// velocity over the step and of the one at its end: [B, K, *, 6].
 Tensor engine_features(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                       const EngineMotion& engine, const Tensor& points_reference);
+                       const std::vector<EngineMotion>& advice, const Tensor& points_reference);
 
 /// Per-vertex inputs of the encoder, [B, K, N, F]; padded vertices are zero.
 /// Paper: displacement d to the nearest point of another object or the ground, increment v = x_t - x_{t-1}, offset

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/model/rigidformer.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -77,12 +78,12 @@ StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneStat
   const Tensor x = state.current.apply(batch.points_reference);
   const Nearest nearest = nearest_search(batch, state.current, x);
   const BaseMotion base = make_base_motion(options, batch, state, centre_reference);
-  const EngineMotion engine = options.engine_motion ? engine_step(state) : EngineMotion();
+  const std::vector<EngineMotion> advice = options.engine_motion ? engine_step(state) : std::vector<EngineMotion>();
   const Contacts contacts = options.contact_tokens ? contact_search(state.current, base.pose) : Contacts();
-  const Tensor outputs = predict_anchor_outputs(batch, state, base, x, nearest, engine, contacts);
+  const Tensor outputs = predict_anchor_outputs(batch, state, base, x, nearest, advice, contacts);
 
   AnchorDeviation deviation = deviation_of(batch, outputs);
-  if (options.engine_motion) mix_with_engine(batch, state, base, engine, engine_share(outputs, engine), deviation);
+  if (options.engine_motion) mix_with_engine(batch, state, base, advice, engine_shares(outputs), deviation);
   if (options.contact_gate) close_contact_gate(batch, base, x, deviation);
 
   const Tensor q = batch.anchors_reference();
@@ -97,22 +98,21 @@ StepPrediction RigidFormerImpl::forward(const SceneBatch& batch, const SceneStat
 }
 
 Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                               const Tensor& x, const Nearest& nearest, const EngineMotion& engine,
-                                               const Contacts& contacts) {
+                                               const Tensor& x, const Nearest& nearest,
+                                               const std::vector<EngineMotion>& advice, const Contacts& contacts) {
   const auto geometry_type = x.scalar_type();
   Tensor h = vertex_features(options, batch, state, base, x, nearest);
   const Tensor q = gather_points(x, batch.anchor_index);
   const TokenPositions positions = position_encoder(batch, state.current, x, q);
   Tensor anchor_state = torch::cat({gather_points(h, batch.anchor_index), q / kPositionUnit}, -1).to(compute_type);
+  if (options.ground_material) h = torch::cat({h, ground_features(options, batch, h.size(2))}, -1);
   Tensor engine_at_anchors;
   if (options.engine_motion) {
-    const Tensor e = engine_features(batch, state, base, engine, batch.points_reference)
+    const Tensor e = engine_features(batch, state, base, advice, batch.points_reference)
                          .masked_fill(batch.point_mask.logical_not().unsqueeze(-1), 0.0);
     h = torch::cat({h, e}, -1);
     engine_at_anchors = gather_points(e, batch.anchor_index).to(compute_type);
   }
-
-  if (options.ground_material) h = torch::cat({h, ground_features(options, batch, h.size(2))}, -1);
 
   // Interaction of objects (§3.1)
   const Encoding encoding = encoder(h.to(compute_type), batch.point_mask);
@@ -132,7 +132,6 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   // Interaction of anchors with objects (§3.2)
   const Tensor u = anchor_vertex_pooling(encoding.vertex_features, x, batch.point_mask, q);
   anchor_state = torch::cat({anchor_state, u}, -1);
-  if (engine_at_anchors.defined()) anchor_state = torch::cat({anchor_state, engine_at_anchors}, -1);
   if (options.contact_tokens) {
     const Tensor at_anchors = ContactTokensImpl::to_anchors(described, x.size(0), x.size(1));
     anchor_state = torch::cat({anchor_state, at_anchors.to(compute_type)}, -1);
@@ -140,6 +139,7 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
   if (options.ground_material) {
     anchor_state = torch::cat({anchor_state, ground_features(options, batch, q.size(2)).to(compute_type)}, -1);
   }
+  if (engine_at_anchors.defined()) anchor_state = torch::cat({anchor_state, engine_at_anchors}, -1);
   const Tensor outputs =
       predictor(anchor_state, Z, objects, positions.anchor_angles, positions.anchor_embedding).to(geometry_type);
   if (!options.contact_tokens) return outputs;
@@ -147,13 +147,17 @@ Tensor RigidFormerImpl::predict_anchor_outputs(const SceneBatch& batch, const Sc
                                           {0, outputs.size(-1) - 6});
 }
 
-/// Share of the engine's step in the prediction, [B, K, A, 1]. Training starts by trusting the engine mostly. Steps for
-/// which the engine needs no guess are left to it alone.
-Tensor RigidFormerImpl::engine_share(const Tensor& outputs, const EngineMotion& engine) const {
-  const Tensor logit = outputs.slice(-1, 6);
-  if (fixed_engine_share) return torch::full_like(logit, *fixed_engine_share);
-  const Tensor share = (kEngineShareScale * (logit + kFirstEngineLogit).sigmoid()).clamp_max(1.0);
-  return engine.certain.defined() ? share.masked_fill(engine.certain.unsqueeze(-1).unsqueeze(-1), 1.0) : share;
+/// Shares of the advisers' steps in the prediction, [B, K, A, advisers]; the network's own has the rest. Training
+/// starts by trusting the engine mostly, and all of its advisers alike.
+Tensor RigidFormerImpl::engine_shares(const Tensor& outputs) const {
+  const Tensor logits = outputs.slice(-1, 6) + (kFirstEngineLogit - std::log(options.advisers));
+  if (fixed_engine_share) {
+    return torch::constant_pad_nd(torch::full_like(logits.slice(-1, 0, 1), *fixed_engine_share),
+                                  {0, options.advisers - 1});
+  }
+  const Tensor shares = torch::cat({torch::zeros_like(logits.slice(-1, 0, 1)), logits}, -1).softmax(-1).slice(-1, 1);
+  const Tensor together = shares.sum(-1, true);
+  return shares / together * (kEngineShareScale * together).clamp_max(1.0);
 }
 
 RigidFormerImpl::AnchorDeviation RigidFormerImpl::deviation_of(const SceneBatch& batch, const Tensor& outputs) const {
@@ -165,13 +169,17 @@ RigidFormerImpl::AnchorDeviation RigidFormerImpl::deviation_of(const SceneBatch&
 }
 
 void RigidFormerImpl::mix_with_engine(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                      const EngineMotion& engine, const Tensor& share,
+                                      const std::vector<EngineMotion>& advice, const Tensor& shares,
                                       AnchorDeviation& deviation) const {
-  const Tensor q = batch.anchors_reference();
-  const Tensor over_step = engine.pose.apply(q) - base.apply(q);
-  const Tensor beyond = state.current.apply(q) - engine.departure.apply(q);
-  deviation.over_step = torch::lerp(deviation.over_step, over_step, share);
-  deviation.beyond = torch::lerp(deviation.beyond, beyond, share);
+  const Tensor q = batch.anchors_reference(), moved_freely = base.apply(q), q_world = state.current.apply(q);
+  const Tensor own_share = 1.0 - shares.sum(-1, true);
+  deviation.over_step = deviation.over_step * own_share;
+  deviation.beyond = deviation.beyond * own_share;
+  for (size_t i = 0; i < advice.size(); ++i) {
+    const Tensor share = shares.slice(-1, static_cast<std::int64_t>(i), static_cast<std::int64_t>(i) + 1);
+    deviation.over_step = deviation.over_step + share * (advice[i].pose.apply(q) - moved_freely);
+    deviation.beyond = deviation.beyond + share * (q_world - advice[i].departure.apply(q));
+  }
 }
 
 void RigidFormerImpl::close_contact_gate(const SceneBatch& batch, const BaseMotion& base, const Tensor& x,

@@ -65,12 +65,12 @@ struct RigidFormerImpl : torch::nn::Module {
   };
 
   Tensor predict_anchor_outputs(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                                const Tensor& points_world, const Nearest& nearest, const EngineMotion& engine,
-                                const Contacts& contacts);
-  Tensor engine_share(const Tensor& outputs, const EngineMotion& engine) const;
+                                const Tensor& points_world, const Nearest& nearest,
+                                const std::vector<EngineMotion>& advice, const Contacts& contacts);
+  Tensor engine_shares(const Tensor& outputs) const;
   AnchorDeviation deviation_of(const SceneBatch& batch, const Tensor& outputs) const;
   void mix_with_engine(const SceneBatch& batch, const SceneState& state, const BaseMotion& base,
-                       const EngineMotion& engine, const Tensor& share, AnchorDeviation& deviation) const;
+                       const std::vector<EngineMotion>& advice, const Tensor& shares, AnchorDeviation& deviation) const;
   void close_contact_gate(const SceneBatch& batch, const BaseMotion& base, const Tensor& points_world,
                           AnchorDeviation& deviation) const;
 };

@@ -18,14 +18,20 @@ namespace {
 struct EngineCubes : Cubes {
   using Cubes::Cubes;
 
-  EngineStep engine() const { return make_engine_step(engine_options(), batch, centre); }
+  EngineStep engine() const { return advised_by(1); }
+
+  EngineStep advised_by(int advisers) const {
+    ModelOptions options = engine_options();
+    options.advisers = advisers;
+    return make_engine_step(options, batch, centre);
+  }
 
   /// Engine steps that feed on each other.
   Pose roll_out(int num_steps) const {
     const EngineStep step = engine();
     SceneState now = state;
     for (int i = 0; i < num_steps; ++i) {
-      const EngineMotion motion = step(now);
+      const EngineMotion motion = step(now).front();
       now.previous = motion.departure;
       now.current = motion.pose;
     }
@@ -46,7 +52,7 @@ TEST(EngineStep, FreeFlightIsTheBaseMotion) {
   const Tensor shift = apart - scene.state.current.translation;
   for (Pose* pose : {&scene.state.previous, &scene.state.current}) pose->translation = pose->translation + shift;
   const Tensor centre = 0.1 * torch::randn({2, 2, 3}, torch::kFloat64);
-  const EngineMotion motion = make_engine_step(engine_options(), scene.batch, centre)(scene.state);
+  const EngineMotion motion = make_engine_step(engine_options(), scene.batch, centre)(scene.state).front();
   const BaseMotion base = make_base_motion(engine_options(), scene.batch, scene.state, centre);
   const auto expect_near = [valid = scene.batch.object_mask](const Pose& a, const Pose& b) {
     EXPECT_LT(largest_difference(a.translation.index({valid}), b.translation.index({valid})), 2e-3);
@@ -106,7 +112,7 @@ TEST(EngineStep, GivenMotionPushesAndIsNotPushed) {
   cubes.place(0, {0.0, 0.0, 5.0}, {3.0, 0.0, 0.0});
   cubes.place(1, {1.05, 0.0, 5.0}, {0.0, 0.0, 0.0});
   cubes.batch.dynamic_mask[0][0] = false;
-  const EngineMotion motion = cubes.engine()(cubes.state);
+  const EngineMotion motion = cubes.engine()(cubes.state).front();
   EXPECT_NEAR(motion.pose.translation[0][0][0].item<double>(), 3.0 * kTimeStep_s, 1e-4);
   EXPECT_NEAR(cubes.height(motion.pose, 0), 5.0, 1e-4);  // gravity does not move it
   EXPECT_GT(motion.pose.translation[0][1][0].item<double>(), 1.05 + 0.05);
@@ -195,7 +201,7 @@ TEST(EngineStep, ItsShareCanBeFixed) {
   trust_engine(model, -2.0);
   model->options.contact_gate = false;
   const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
-  const EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state);
+  const EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state).front();
   const auto distance = [&](std::optional<double> share) {
     model->fixed_engine_share = share;
     return largest_difference(predict(model, scene).pose.translation, engine.pose.translation);
@@ -210,7 +216,7 @@ TEST(EngineStep, TheNetworkCanLeaveAStepToItEntirely) {
   RigidFormer model = random_model(engine_options());
   model->options.contact_gate = false;
   const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
-  const EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state);
+  const EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state).front();
   const auto distance = [&](double logit) {
     trust_engine(model, logit);
     return largest_difference(predict(model, scene).pose.translation, engine.pose.translation);
@@ -219,31 +225,57 @@ TEST(EngineStep, TheNetworkCanLeaveAStepToItEntirely) {
   EXPECT_LT(distance(5.0), 1e-9);
 }
 
-TEST(EngineStep, WhatMovesIsSeenFromAllSidesAndOfKnownMaterialIsCertain) {
-  EngineCubes cubes(4);
-  for (std::int64_t k = 0; k < 3; ++k) cubes.place(k, {3.0 * static_cast<double>(k), 0.0, 0.4}, {0.0, 0.0, -2.0});
-  cubes.place(3, {9.0, 0.0, 0.5}, {0.1, 0.0, 0.0});
-  cubes.batch.properties_known[0][1][2] = 0.0;
-  cubes.batch.point_mask[0][2].slice(0, 4) = false;  // one face
-  const EngineMotion motion = cubes.engine()(cubes.state);
-  EXPECT_TRUE(torch::equal(motion.certain, torch::tensor({{true, false, false, false}})));
+TEST(EngineStep, AdvisersDifferWhereMaterialIsUnknown) {
+  EngineCubes cubes(2);
+  cubes.place(0, {0.0, 0.0, 0.51}, {1.0, 0.0, -2.0});
+  cubes.place(1, {3.0, 0.0, 0.51}, {1.0, 0.0, -2.0});
+  cubes.batch.properties_known[0][1] = 0.0;
+  const std::vector<EngineMotion> advice = cubes.advised_by(3)(cubes.state);
+  ASSERT_EQ(advice.size(), 3u);
+  const auto velocity = [&](std::size_t adviser, std::int64_t k) {
+    return (advice[adviser].pose.translation - advice[adviser].departure.translation)[0][k] / kTimeStep_s;
+  };
+  EXPECT_TRUE(torch::equal(velocity(0, 0), velocity(1, 0)));
+  EXPECT_TRUE(torch::equal(velocity(0, 0), velocity(2, 0)));
+  EXPECT_GT(velocity(0, 1)[2].item<double>(), velocity(1, 1)[2].item<double>() + 0.3) << "the second does not bounce";
+  EXPECT_LT(velocity(2, 1)[0].item<double>(), velocity(0, 1)[0].item<double>() - 0.1) << "the third does not slide";
 }
 
-TEST(EngineStep, TheNetworkHasNoShareInWhatIsCertain) {
-  RandomScene scene = random_scene(1, {{20, 9, 16}});
-  RigidFormer model = random_model(engine_options());
+TEST(EngineStep, WhereNothingIsGuessedAllAdvisersSayTheSame) {
+  EngineCubes cubes(1);
+  cubes.place(0, {0.0, 0.0, 0.51}, {1.0, 0.0, -2.0});
+  const std::vector<EngineMotion> advice = cubes.advised_by(3)(cubes.state);
+  ASSERT_EQ(advice.size(), 3u);
+  const EngineMotion alone = cubes.engine()(cubes.state).front();
+  for (const EngineMotion& motion : advice) {
+    EXPECT_TRUE(torch::equal(motion.pose.translation, alone.pose.translation));
+    EXPECT_TRUE(torch::equal(motion.departure.rotation, alone.departure.rotation));
+  }
+}
+
+/// Three advisers, of which the network trusts `trusted` alone.
+RigidFormer model_that_trusts(std::int64_t trusted) {
+  ModelOptions options = engine_options();
+  options.advisers = 3;
+  RigidFormer model = random_model(options);
   model->options.contact_gate = false;
-  trust_engine(model, -20.0);
-  const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
-  EngineMotion engine = make_engine_step(model->options, scene.batch, centre)(scene.state);
-  engine.certain = torch::tensor({{false, true, false}});
   torch::NoGradGuard no_grad;
-  const StepPrediction prediction = model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix,
-                                                   [&](const SceneState&) { return engine; });
-  const Tensor distance = (prediction.pose.translation - engine.pose.translation).norm(2, -1)[0];
-  EXPECT_GT(distance[0].item<double>(), 1e-3);
-  EXPECT_LT(distance[1].item<double>(), 1e-9);
-  EXPECT_GT(distance[2].item<double>(), 1e-3);
+  Tensor bias = model->named_parameters()["predictor.head.second.bias"];
+  bias.slice(0, 6).fill_(-60.0);
+  bias[6 + trusted] = 60.0;
+  return model;
+}
+
+TEST(EngineStep, TheNetworkChoosesAmongAdvisers) {
+  RandomScene scene = random_scene(1, {{20, 9, 16}});
+  scene.batch.properties_known.zero_();
+  for (std::int64_t trusted = 0; trusted < 3; ++trusted) {
+    RigidFormer model = model_that_trusts(trusted);
+    const Tensor centre = model->centre_of_mass(scene.batch, scene.state.current);
+    const auto advice = make_engine_step(model->options, scene.batch, centre)(scene.state);
+    const Pose& chosen = advice[static_cast<std::size_t>(trusted)].pose;
+    EXPECT_LT(largest_difference(predict(model, scene).pose.translation, chosen.translation), 1e-9);
+  }
 }
 
 TEST(EngineStep, TheNetworkReadsAndUsesIt) {
@@ -254,9 +286,9 @@ TEST(EngineStep, TheNetworkReadsAndUsesIt) {
   torch::NoGradGuard no_grad;
   const StepPrediction prediction = predict(model, scene);
   const auto moved = [&](const SceneState& state) {
-    EngineMotion motion{state.current, state.current, Tensor()};
+    EngineMotion motion{state.current, state.current};
     motion.pose.translation = motion.pose.translation + 0.1;
-    return motion;
+    return std::vector<EngineMotion>{motion};
   };
   const StepPrediction other =
       model->forward(scene.batch, scene.state, centre, nearest_by_distance_matrix, EngineStep(moved));

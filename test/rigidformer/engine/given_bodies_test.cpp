@@ -24,7 +24,7 @@ Pose drive(const Cubes& cubes, int num_steps, const std::function<void(int step,
   for (int i = 1; i <= num_steps; ++i) {
     now.coming = {now.current.rotation.clone(), now.current.translation.clone()};
     coming(i, now.coming);
-    const EngineMotion motion = step(now);
+    const EngineMotion motion = step(now).front();
     now = advance(cubes.batch, now, {Tensor(), motion.pose, motion.departure});
   }
   return now.current;
@@ -36,7 +36,7 @@ TEST(GivenBodies, WhatRestsOnAShelfDoesNotSink) {
   cubes.place(1, {0.0, 0.0, 4.002}, {0.0, 0.0, 0.0});
   cubes.batch.dynamic_mask[0][0] = false;
   const EngineStep step = make_engine_step(engine_options(), cubes.batch, cubes.centre);
-  const EngineMotion motion = step(cubes.state);
+  const EngineMotion motion = step(cubes.state).front();
   EXPECT_NEAR(coordinate(motion.pose, 1, 2), 4.002, 5e-4) << "half a step of fall is 9 mm";
   EXPECT_NEAR(coordinate(motion.departure, 1, 2), coordinate(motion.pose, 1, 2), 1e-3) << "nor does it gain speed";
 }
@@ -77,7 +77,7 @@ TEST(GivenBodies, TheComingPoseIsKnownToBaseMotionEngineAndStep) {
         1e-12);
     EXPECT_NEAR(base.centre_step[0][0][0].item<double>(), 0.2, 1e-12);
   }
-  const EngineMotion motion = make_engine_step(engine_options(), cubes.batch, cubes.centre)(state);
+  const EngineMotion motion = make_engine_step(engine_options(), cubes.batch, cubes.centre)(state).front();
   EXPECT_NEAR(coordinate(motion.pose, 0, 0), 0.2, 1e-4);
   const SceneState after = advance(cubes.batch, state, {Tensor(), motion.pose, motion.departure});
   EXPECT_EQ(coordinate(after.current, 0, 0), 0.2);

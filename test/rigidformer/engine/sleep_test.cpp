@@ -20,11 +20,11 @@ struct Rollout {
 };
 
 Rollout roll_out(const Cubes& cubes, int num_steps, Sleep sleep) {
-  const EngineStep step = make_engine_step(cubes.batch, make_solids(cubes.batch, cubes.centre), sleep);
+  const EngineStep step = make_engine_step(cubes.batch, make_solids(cubes.batch, cubes.centre), 1, sleep);
   Rollout run;
   SceneState now = cubes.state;
   for (int i = 0; i < num_steps; ++i) {
-    const EngineMotion motion = step(now);
+    const EngineMotion motion = step(now).front();
     SceneState next = advance(cubes.batch, now, {Tensor(), motion.pose, motion.departure});
     hold_resting(cubes.batch, now, next, {});
     run.poses.push_back(next.current);

@@ -162,10 +162,10 @@ TEST(ModelOptionsTest, JsonRefusesMissingUnknownAndIllTypedKeys) {
     EXPECT_THROW(model_options_from_json(text), std::invalid_argument) << text;
     return error_of([&] { model_options_from_json(text); });
   };
-  const std::set<std::string> newer = {"end_velocity_output", "engine_motion",  "hidden_side_head",
-                                       "local_planes",        "contact_tokens", "residual_per_sublayer",
-                                       "max_points",          "rest_speed_mps", "rest_spin_radps",
-                                       "frame_rate_hz",       "ground_material"};
+  const std::set<std::string> newer = {"end_velocity_output", "engine_motion",   "hidden_side_head",
+                                       "local_planes",        "contact_tokens",  "residual_per_sublayer",
+                                       "max_points",          "rest_speed_mps",  "rest_spin_radps",
+                                       "frame_rate_hz",       "ground_material", "advisers"};
   for (const auto& [key, value] : good.items()) {
     Json json = good;
     json.erase(key);
@@ -233,6 +233,7 @@ TEST(ModelOptionsTest, ValuesOutOfRangeAreRefusedByName) {
       {"contact_gate_margin_m", [](ModelOptions& o) { o.contact_gate_margin_m = -0.1; }},
       {"engine_motion", [](ModelOptions& o) { o.engine_motion = true; }},
       {"hidden_side_head", [](ModelOptions& o) { o.hidden_side_head = true; }},
+      {"advisers", [](ModelOptions& o) { o.advisers = 4; }},
       {"max_points", [](ModelOptions& o) { o.max_points = 15; }},
       {"rest_speed_mps", [](ModelOptions& o) { o.rest_speed_mps = -0.1; }},
       {"rest_spin_radps", [](ModelOptions& o) { o.rest_spin_radps = std::nan(""); }}};
