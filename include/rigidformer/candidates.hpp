@@ -95,6 +95,13 @@ struct BatchOptions {
   SettleCriterion settle = {};
 };
 
+/// What came of an object in one of the worlds that differ in what is unknown.
+struct ParticleOutcome {
+  RigidTransform T_world_end;
+  bool has_settled = false;
+  double max_tilt_rad = 0.0;
+};
+
 /// How one candidate went.
 struct CandidateOutcome {
   enum class Stop {
@@ -114,8 +121,10 @@ struct CandidateOutcome {
   Stop stop = Stop::kRunning;
   int rule = -1;
   Error error = Error::kNone;
-  std::string message;            ///< Of the error: object, field and value
-  std::vector<MotionMode> modes;  ///< Of the forecast's objects
+  std::string message;                                  ///< Of the error: object, field and value
+  std::vector<MotionMode> modes;                        ///< Of the forecast's objects
+  std::vector<Knowledge> knowledge;                     ///< Likewise, once a step was taken
+  std::vector<std::vector<ParticleOutcome>> particles;  ///< Of each of the forecast's objects; empty without particles
   Forecast forecast;  ///< The scene's objects without the removed ones, then the bodies that only tracks know
 };
 

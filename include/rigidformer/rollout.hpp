@@ -21,6 +21,8 @@ struct ObjectTrajectory {
   Status status = Status::kOk;
   std::vector<RigidTransform> poses;
   std::string reason = {};  ///< Of kUnusable
+  /// One per pose, empty = unknown: of each coordinate of the position [m] and of the rotation vector [rad].
+  std::vector<double> position_stddev_m = {}, rotation_stddev_rad = {};
 };
 
 /// Two objects that touch at the end of a step, or pressed on each other during it. Objects are numbered as in the

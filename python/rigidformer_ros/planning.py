@@ -129,6 +129,18 @@ class Outcomes:
         """[N] -1 = not at rest at the end."""
         return self._values(object_id, lambda o: o.settled_step, -1)
 
+    def settled(self, object_id):
+        """[N] share of the particles in which it comes to rest; NaN without particles."""
+        return self._values(object_id, lambda o: o.p_settled, np.nan)
+
+    def tilted(self, object_id):
+        """[N] share of the particles in which it tilts by more than tilt_limit; NaN without particles."""
+        return self._values(object_id, lambda o: o.p_tilted, np.nan)
+
+    def in_region(self, object_id, region=0):
+        """[N] share of the particles in which it ends in region number `region`; NaN without particles."""
+        return self._values(object_id, lambda o: o.p_in_region[region] if o.p_in_region else np.nan, np.nan)
+
     def poses(self, object_id):
         """One array [T, 7] per candidate, with poses=True; empty where it failed."""
         return [np.array([to_row(pose) for o in result.objects if o.id == object_id for pose in o.poses]).reshape(-1, 7)
@@ -153,12 +165,13 @@ class Planner:
         return Outcomes(result)
 
     def rollouts(self, candidates, num_steps=0, engine=False, poses=False, base=None, scene=None, stop=(), regions=(),
-                 max_wall_time=0.0):
+                 max_wall_time=0.0, particles=0, seed=0, tilt_limit=0.0):
         """Rolls all candidates out; the scene is what the node sees, unless one is given (ObjectClouds)."""
         request = BatchRequest(num_steps=num_steps, candidates=list(candidates), stop=list(stop), regions=list(regions))
         request.fidelity = BatchRequest.ENGINE if engine else BatchRequest.MODEL
         request.record = BatchRequest.POSES if poses else BatchRequest.END
         request.max_wall_time = rospy.Duration.from_sec(max_wall_time)
+        request.num_particles, request.seed, request.tilt_limit = particles, seed, tilt_limit
         if base is not None:
             request.base = base
         if scene is not None:

@@ -192,7 +192,12 @@ void CandidateBatch::take_step(std::size_t i) {
     running.world = std::make_unique<RolloutWorld>(maker_, std::move(perceived), std::move(running.objects),
                                                    options_.rollout, forecast);
   }
-  if (running.world) return running.world->step();
+  if (running.world) {
+    running.world->step();
+    outcomes_[i].knowledge = running.world->knowledge();
+    if (!maker_.doubt || maker_.fidelity == Fidelity::kEngine) return;
+    return add_doubt(*maker_.doubt, outcomes_[i].knowledge, outcomes_[i].modes, nothing_spreads, forecast);
+  }
   if (forecast.times_s.empty()) forecast.times_s.push_back(0.0);  // a scene without objects, in which time passes
   forecast.times_s.push_back(static_cast<double>(forecast.times_s.size()) * options_.rollout.time_step_s);
 }

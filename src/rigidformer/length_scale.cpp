@@ -111,12 +111,25 @@ Forecast to_real_scale(Forecast forecast, double scale) {
     for (auto& pose : object.poses) {
       pose.translation *= scale;
     }
+    for (double& stddev_m : object.position_stddev_m) {
+      stddev_m *= scale;
+    }
   }
   for (StepContact& contact : forecast.contacts) {
     contact.penetration_m *= scale;
     contact.normal_impulse_Ns *= std::sqrt(scale);
   }
   return forecast;
+}
+
+CandidateOutcome to_real_scale(CandidateOutcome outcome, double scale) {
+  outcome.forecast = to_real_scale(std::move(outcome.forecast), scale);
+  for (auto& particles : outcome.particles) {
+    for (ParticleOutcome& particle : particles) {
+      particle.T_world_end.translation *= scale;
+    }
+  }
+  return outcome;
 }
 
 ModelInfo to_real_scale(ModelInfo info, double scale) {

@@ -37,6 +37,7 @@ BatchOptions to_model_scale(BatchOptions options, double scale);
 
 /// Turns the times, positions and contacts that the model predicted into real ones.
 Forecast to_real_scale(Forecast forecast, double scale);
+CandidateOutcome to_real_scale(CandidateOutcome outcome, double scale);
 
 /// Turns the ranges that the model was trained on into real lengths, times and speeds.
 ModelInfo to_real_scale(ModelInfo info, double scale);

@@ -14,6 +14,8 @@
 #include "rigidformer/model/device.hpp"
 #include "rigidformer/model/threads.hpp"
 #include "rigidformer/network_rollout.hpp"
+#include "rigidformer/particle_batch.hpp"
+#include "rigidformer/particles.hpp"
 #include "rigidformer/usable_rollout.hpp"
 
 namespace rigidformer {
@@ -77,7 +79,9 @@ struct Predictor::Impl {
   void check(const RolloutOptions& rollout) const;
   void ask_model(const ModelOptions& model);
   void describe();
-  StepMaker step_maker() const { return {checkpoint.model, {options.rest_speed, options.rest_spin}}; }
+  StepMaker step_maker() const {
+    return {checkpoint.model, {options.rest_speed, options.rest_spin}, Fidelity::kModel, checkpoint.facts.doubt};
+  }
 
   PredictorOptions options;
   torch::Device device{torch::kCPU};
@@ -226,8 +230,17 @@ std::unique_ptr<BatchRollout> Predictor::start_batch(const std::vector<ObjectSta
     if (!reasons[k]) continue;
     unusable.push_back({objects[k].id, ObjectTrajectory::Status::kUnusable, {objects[k].T_world_current}, *reasons[k]});
   }
-  return std::make_unique<CandidateBatch>(impl_->step_maker(), perceive_objects, std::move(*scene), std::move(usable),
-                                          std::move(unusable), candidates, options, impl_->info.max_objects);
+  const auto batch_of = [&](const std::vector<Candidate>& some, const BatchOptions& some_options) {
+    return std::make_unique<CandidateBatch>(impl_->step_maker(), perceive_objects, *scene, usable, unusable, some,
+                                            some_options, impl_->info.max_objects);
+  };
+  auto nominal = batch_of(candidates, options);
+  if (options.rollout.num_particles == 1) return nominal;
+  BatchOptions of_particles = options;
+  of_particles.fidelity = maker_of_particles(impl_->step_maker()).fidelity;
+  auto particles = batch_of(in_all_worlds(candidates, usable, options.rollout), of_particles);
+  return std::make_unique<ParticleBatch>(std::move(nominal), std::move(particles), options,
+                                         impl_->checkpoint.facts.doubt);
 }
 
 }  // namespace rigidformer

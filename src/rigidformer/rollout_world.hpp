@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "rigidformer/candidate_objects.hpp"
+#include "rigidformer/doubt.hpp"
 #include "rigidformer/engine/body_motion.hpp"
 #include "rigidformer/model/rest.hpp"
 #include "rigidformer/network_steps.hpp"
@@ -20,6 +22,7 @@ struct StepMaker {
   RigidFormer model;
   RestLimits rest;
   Fidelity fidelity = Fidelity::kModel;
+  std::optional<DoubtTable> doubt = {};  ///< Of the model
 };
 
 /// One scene on its way through the network (paper §3) or the engine, with a world of its own: it is never restored to
@@ -35,6 +38,8 @@ class RolloutWorld {
   RolloutWorld& operator=(const RolloutWorld&) = delete;
 
   void step();
+
+  std::vector<Knowledge> knowledge() const { return knowledge_of(objects_, perceived_.solids); }
 
   /// Indices of the objects that the network saw in the last step.
   const std::vector<std::int64_t>& seen() const { return parts_.seen; }

@@ -28,6 +28,13 @@ struct BodyProperties {
   std::optional<double> restitution;  ///< Coefficient of restitution, in [0, 1]
 };
 
+/// What is known of an object when its motion is predicted.
+enum class Knowledge {
+  kMaterial,  ///< Its shape from all sides, friction and restitution
+  kShape,     ///< Its shape from all sides
+  kOneSide    ///< One side of it
+};
+
 /// Material of the ground; empty = not known to the observer. Where two surfaces touch, the product of both counts.
 struct GroundProperties {
   std::optional<double> friction;     ///< Coulomb coefficient, at least 0

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct RolloutOptions {
   GroundProperties ground = {};                 ///< What the ground is made of
   /// The command of every step, or one for all: as many numbers each as ModelInfo::control_dim says. Empty = none.
   std::vector<std::vector<double>> control = {};
+  int num_particles = 1;            ///< Worlds among which unknown material is drawn; 1 = none but the forecast itself
+  std::uint64_t particle_seed = 0;  ///< Of the draws
 };
 
 }  // namespace rigidformer

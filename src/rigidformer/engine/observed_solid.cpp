@@ -74,6 +74,7 @@ ObservedSolid observe_solid(const SceneBatch& batch, const Tensor& centre_refere
   solid.shape = std::make_shared<CollisionShape>(Shape{"", 1.0, {observed.hull}}, 1.0);
   solid.volume_m3 = observed.volume_m3;
   solid.radius_m = static_cast<double>(observed.hull.vertices.rowwise().norm().maxCoeff());
+  solid.complete = observed.complete;
   solid.centre_reference = observed.centre_of_mass;
   return with_role(std::move(solid), k, element<bool>(batch.dynamic_mask, {b, k}), known_properties(batch, b, k));
 }

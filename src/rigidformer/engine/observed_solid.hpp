@@ -34,6 +34,7 @@ struct ObservedSolid {
   std::shared_ptr<const CollisionShape> shape;  ///< The same, for simulating
   double volume_m3 = 0.0;
   double radius_m = 0.0;             ///< Of the hull around the centre of mass
+  bool complete = false;             ///< Seen from all sides
   Eigen::Vector3d centre_reference;  ///< Centre of mass in the reference frame [m]
   BodyProperties known;              ///< Material as far as it is known
   BodyProperties properties;         ///< Complete: the means of the MOVi scenes stand for what is unknown

@@ -63,6 +63,7 @@ Checkpoint parse_metadata(const Metadata& metadata) {
   Checkpoint checkpoint;
   const Json facts = Json::parse(value_of(metadata, "training"));
   visit_facts(checkpoint.facts, [&](const char* name, auto& field) { read_fact(facts, name, field); });
+  if (metadata.count("doubt") > 0) checkpoint.facts.doubt = doubt_table_from_json(metadata.at("doubt"));
   checkpoint.model = RigidFormer(model_options_from_json(value_of(metadata, "model")));
   checkpoint.sha256 = value_of(metadata, "sha256");
   return checkpoint;
@@ -105,10 +106,17 @@ void save_checkpoint(const std::filesystem::path& path, const RigidFormer& model
                    {"format_version", kVersion},
                    {"model", to_json(model->options)},
                    {"training", training.dump()}};
+  if (facts.doubt) file.metadata["doubt"] = to_json(*facts.doubt);
   for (const auto& parameter : model->named_parameters()) {
     file.tensors.emplace(parameter.key(), to_raw(parameter.value(), storage));
   }
   write_tensor_file(path, file);
+}
+
+void store_doubt(const std::filesystem::path& model, const DoubtTable& table, const std::filesystem::path& output) {
+  Checkpoint checkpoint = load_checkpoint(model);
+  checkpoint.facts.doubt = table;
+  save_checkpoint(output, checkpoint.model, checkpoint.facts, TensorType::kBFloat16);
 }
 
 Checkpoint load_checkpoint(const std::filesystem::path& path) {

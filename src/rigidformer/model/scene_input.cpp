@@ -20,6 +20,7 @@ constexpr std::uint64_t kAnchorSeed = 1;          // of random anchors; any numb
 constexpr std::int64_t kPointBucket = 16;         // points; padded sizes are multiples of it, as of vector units
 constexpr double kMostFriction = 1000.0;          // as scene/objection.cpp accepts of objects
 constexpr std::int64_t kMaxSurfacePoints = 4096;  // points of an object that the engine gets; chosen by eye
+constexpr int kMostParticles = 64;                // more cost more than they tell; chosen by eye
 
 void check_range(const char* field, double value, bool good, const char* bound) {
   if (!good) {
@@ -122,6 +123,8 @@ void validate_options(const RolloutOptions& rollout) {
   const double friction = rollout.ground.friction.value_or(0.0), restitution = rollout.ground.restitution.value_or(0.0);
   check_range("ground.friction", friction, friction >= 0.0 && friction <= kMostFriction, "in [0, 1000]");
   check_range("ground.restitution", restitution, restitution >= 0.0 && restitution <= 1.0, "in [0, 1]");
+  check_range("num_particles", rollout.num_particles,
+              rollout.num_particles >= 1 && rollout.num_particles <= kMostParticles, "in [1, 64]");
 }
 
 SceneState make_scene_state(const std::vector<ObjectState>& objects, const Eigen::Vector3d& origin_world) {

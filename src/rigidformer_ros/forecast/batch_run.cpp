@@ -53,7 +53,7 @@ void BatchRun::advance(Clock::time_point limit) {
     throw std::runtime_error("the rollout was ended: the node shuts down");
   }
   for (rigidformer::CandidateOutcome& outcome : progress_.outcomes) {
-    outcome.forecast = rigidformer::to_real_scale(std::move(outcome.forecast), length_scale_);
+    outcome = rigidformer::to_real_scale(std::move(outcome), length_scale_);
   }
 }
 

@@ -47,6 +47,8 @@ ObjectForecast to_object_forecast(const SceneRollout& rollout, std::size_t index
     message.twists.push_back(k == 0 ? observed_twist(object, dt_s)
                                     : twist_between(forecast.poses[k - 1], forecast.poses[k], dt_s));
   }
+  message.position_stddev = recorded_values(forecast.position_stddev_m, record_every);
+  message.rotation_stddev = recorded_values(forecast.rotation_stddev_rad, record_every);
   message.status = status_of(rollout, index);
   const auto num_recorded = static_cast<int>(message.poses.size());
   const auto recorded = [&](int step) {
@@ -67,6 +69,14 @@ std_msgs::Header header_at(const SceneRollout& rollout, std::size_t step, const 
 }
 
 }  // namespace
+
+std::vector<float> recorded_values(const std::vector<double>& values, int record_every) {
+  std::vector<float> recorded;
+  for (std::size_t k = 0; k < values.size(); k += static_cast<std::size_t>(record_every)) {
+    recorded.push_back(static_cast<float>(values[k]));
+  }
+  return recorded;
+}
 
 std::uint8_t status_of(const SceneRollout& rollout, std::size_t index) {
   const ObservedObject& object = rollout.scene.objects.at(index);

@@ -27,6 +27,9 @@ std::string model_label(const rigidformer::ModelInfo& model);
 SceneForecast to_forecast(const SceneRollout& rollout, const ForecastSelection& selection,
                           const std::string& fixed_frame);
 
+/// Every record_every-th value, the first one included.
+std::vector<float> recorded_values(const std::vector<double>& values, int record_every);
+
 /// How far the forecast of object `index` can be trusted: a constant of ObjectForecast. What is worst comes first.
 std::uint8_t status_of(const SceneRollout& rollout, std::size_t index);
 

@@ -96,6 +96,7 @@ RolloutSettings SceneForecaster::default_settings() const {
   settings.options.gravity = predict_.gravity;
   settings.options.ground_height_m = predict_.ground_height;
   settings.options.ground = {predict_.ground_friction, predict_.ground_restitution};
+  settings.options.num_particles = predict_.num_particles;
   settings.settle = settle_criterion(service_);
   return settings;
 }

@@ -148,7 +148,8 @@ Forecast SharedRollout::up_to(int num_steps) const {
     const ObjectTrajectory& object = forecast_.objects[i];
     const bool diverges_later = object.status == ObjectTrajectory::Status::kDiverged && diverged_at_[i] > num_steps;
     forecast.objects.push_back({object.id, diverges_later ? ObjectTrajectory::Status::kOk : object.status,
-                                first_of(object.poses), object.reason});
+                                first_of(object.poses), object.reason, first_of(object.position_stddev_m),
+                                first_of(object.rotation_stddev_rad)});
   }
   return forecast;
 }

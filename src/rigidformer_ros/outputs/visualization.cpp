@@ -18,6 +18,9 @@ using visualization_msgs::MarkerArray;
 
 constexpr float kNearestAlpha = 0.7F;
 constexpr float kFarthestAlpha = 0.12F;
+constexpr float kDoubtAlpha = 0.15F;
+// Two standard deviations of each coordinate hold about three quarters of a normal distribution in space.
+constexpr double kDrawnStddevs = 2.0;
 
 // A colour that depends on the id alone, so that an object keeps it: hue from the hash, fixed saturation and value.
 std_msgs::ColorRGBA colour_of(const std::string& id, float alpha) {
@@ -117,6 +120,16 @@ Marker ForecastVisualizer::make_ghost(const SceneRollout& rollout, std::size_t i
   return ghost;
 }
 
+Marker ForecastVisualizer::make_doubt(const SceneRollout& rollout, std::size_t index, std::size_t step) const {
+  const rigidformer::ObjectTrajectory& forecast = rollout.outcome.forecast.objects[index];
+  const auto number = static_cast<int>(step / static_cast<std::size_t>(display_.ghost_every)) - 1;
+  Marker doubt = make_marker(rollout.scene.stamp, "doubt/" + forecast.id, number, Marker::SPHERE);
+  doubt.pose.position = to_point(forecast.poses[step].translation);
+  doubt.scale.x = doubt.scale.y = doubt.scale.z = 2.0 * kDrawnStddevs * forecast.position_stddev_m[step];
+  doubt.color = colour_of(forecast.id, kDoubtAlpha);
+  return doubt;
+}
+
 void ForecastVisualizer::draw_object(const SceneRollout& rollout, std::size_t index, MarkerArray& markers) const {
   markers.markers.push_back(make_label(rollout, index));
   if (rollout.scene.objects[index].state.mode == rigidformer::MotionMode::kStatic) {
@@ -126,6 +139,9 @@ void ForecastVisualizer::draw_object(const SceneRollout& rollout, std::size_t in
   const auto every = static_cast<std::size_t>(display_.ghost_every);
   for (std::size_t k = every; k < rollout.outcome.forecast.times_s.size(); k += every) {
     markers.markers.push_back(make_ghost(rollout, index, k));
+    if (k < rollout.outcome.forecast.objects[index].position_stddev_m.size()) {
+      markers.markers.push_back(make_doubt(rollout, index, k));
+    }
   }
 }
 

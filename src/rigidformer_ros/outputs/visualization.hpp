@@ -13,7 +13,8 @@
 
 namespace rigidformer_ros {
 
-/// Draws forecasts for rviz: per object a path, ghosts that fade with time, and a label. Markers keep their namespace
+/// Draws forecasts for rviz: per object a path, ghosts that fade with time, the doubt of
+/// each of them where it is known, and a label. Markers keep their namespace
 /// and number from one forecast to the next, so they are updated in place; those no longer needed are deleted.
 class ForecastVisualizer {
  public:
@@ -33,6 +34,7 @@ class ForecastVisualizer {
   visualization_msgs::Marker make_label(const SceneRollout& rollout, std::size_t object) const;
   visualization_msgs::Marker make_path(const SceneRollout& rollout, std::size_t object) const;
   visualization_msgs::Marker make_ghost(const SceneRollout& rollout, std::size_t object, std::size_t step) const;
+  visualization_msgs::Marker make_doubt(const SceneRollout& rollout, std::size_t object, std::size_t step) const;
   visualization_msgs::Marker make_marker(rigidformer::Stamp stamp, const std::string& ns, int id, int type) const;
   visualization_msgs::MarkerArray replace(visualization_msgs::MarkerArray markers);
 

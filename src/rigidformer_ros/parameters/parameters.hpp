@@ -135,6 +135,7 @@ struct PredictParameters {
   std::optional<double> ground_friction;      ///< None = unknown
   std::optional<double> ground_restitution;   ///< None = unknown
   std::optional<double> length_scale = 1.0;   ///< None = from the median object size
+  int num_particles = 1;
 };
 
 template <typename Visit>
@@ -149,6 +150,8 @@ void for_each_member(PredictParameters& o, const Visit& visit) {
   visit("ground_restitution", o.ground_restitution, between(0.0, 1.0).or_word("unknown"), "restitution; likewise");
   visit("length_scale", o.length_scale, between(1e-4, 1e4).or_word("auto"),
         "real length / trained length; auto = from the objects");
+  visit("num_particles", o.num_particles, between(1, 64),
+        "worlds among which unknown material is drawn, for standard deviations; 1 = none");
 }
 
 /// Material of the objects whose id matches `id` ('*' matches any text).

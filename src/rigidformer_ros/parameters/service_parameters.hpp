@@ -18,6 +18,9 @@ struct ServiceParameters {
   int max_candidates = 256;
   int max_candidate_steps = 50000;
   int max_returned_poses = 1000000;
+  int num_particles = 1;
+  int max_particles = 32;
+  int max_particle_steps = 200000;
   int batch_threads = 1;
   double settle_linear_speed = 0.02;
   double settle_angular_speed = 0.1;
@@ -35,6 +38,10 @@ void for_each_member(ServiceParameters& o, const Visit& visit) {
   visit("max_candidates", o.max_candidates, between(1, 10000), "per request");
   visit("max_candidate_steps", o.max_candidate_steps, between(1, 1e8), "candidates times steps per request");
   visit("max_returned_poses", o.max_returned_poses, between(1, 1e8), "of all candidates of a request");
+  visit("num_particles", o.num_particles, between(1, 64),
+        "worlds per candidate among which unknown material is drawn, where a request names no number; 1 = none");
+  visit("max_particles", o.max_particles, between(1, 64), "per candidate");
+  visit("max_particle_steps", o.max_particle_steps, between(1, 1e8), "candidates times particles times steps");
   visit("batch_threads", o.batch_threads, between(1, 256), "CPU threads on which candidates take their steps");
   visit("settle_linear_speed", o.settle_linear_speed, between(0.0, 100.0), "[m/s] what is slower than both ...");
   visit("settle_angular_speed", o.settle_angular_speed, between(0.0, 100.0), "[rad/s] ...");

@@ -38,7 +38,7 @@ class BatchInProgress {
         read_(std::move(read)),
         task_(task),
         begun_(std::move(begun)),
-        settings_{*begun_, request_, task.selection.record_every, task.settings.settle},
+        settings_{*begun_, request_, task.selection.record_every, task.settings.settle, read_.regions},
         is_told_(read_.candidates.size(), false) {}
 
   /// Takes all steps, unless there is a reason to stop earlier.
@@ -193,7 +193,7 @@ BatchResult BatchAnswerer::answer_ready(const BatchRequest& request, const Batch
   check_limits(request, task, parameters_);
   const rigidformer::RigidTransform T_fixed = T_fixed_request(request.scene, parameters_, frames_);
   ReadCandidates read_in = read_candidates(request, parameters_, T_fixed);
-  rigidformer::BatchOptions options = read_batch_options(request, task, parameters_, T_fixed);
+  rigidformer::BatchOptions options = read_batch_options(request, task, parameters_, read_in.regions);
   ObservedScene scene = read(question, task);
   task.settings.options.time_step_s = options.rollout.time_step_s = scene.time_step_s;
   options.rollout.control = read_control(question, options.rollout.num_steps, forecaster_.model_for(scene));

@@ -3,6 +3,7 @@
 #include "rigidformer_ros/services/batch_request.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rigidformer_ros/services/candidate_request.hpp"
 #include "rigidformer_ros/services/request_error.hpp"
@@ -54,7 +55,14 @@ void check_limits(const BatchRequest& request, const RolloutTask& task, const No
   const auto num_steps = static_cast<std::uint64_t>(task.settings.options.num_steps);
   check_limit("candidates", count, service.max_candidates, "service/max_candidates");
   check_limit("candidates times steps", count * num_steps, service.max_candidate_steps, "service/max_candidate_steps");
-  check_limit("num_particles", request.num_particles, 1, "this version has no particles");
+  check_limit("num_particles", request.num_particles, service.max_particles, "service/max_particles");
+  const std::uint64_t worlds = count * std::max<std::uint32_t>(1, request.num_particles);
+  check_limit("candidates times particles times steps", worlds * num_steps, service.max_particle_steps,
+              "service/max_particle_steps");
+  if (!std::isfinite(request.tilt_limit) || request.tilt_limit < 0.0) {
+    throw RequestError(Response::INVALID_REQUEST, "tilt_limit: is " + std::to_string(request.tilt_limit) +
+                                                      " rad, must be finite and not negative");
+  }
 }
 
 void check_returned_poses(const BatchRequest& request, const RolloutTask& task, std::size_t num_objects,
@@ -76,6 +84,11 @@ ReadCandidates read_candidates(const BatchRequest& request, const NodeParameters
     throw RequestError(Response::INVALID_REQUEST, std::string("base: ") + error.what());
   }
   ReadCandidates read;
+  try {
+    read.regions = read_regions(request, T_fixed_request);
+  } catch (const std::invalid_argument& error) {
+    throw RequestError(Response::INVALID_REQUEST, error.what());
+  }
   for (std::size_t i = 0; i < request.candidates.size(); ++i) {
     read.mistakes.emplace_back();
     try {
@@ -90,15 +103,18 @@ ReadCandidates read_candidates(const BatchRequest& request, const NodeParameters
 
 rigidformer::BatchOptions read_batch_options(const BatchRequest& request, const RolloutTask& task,
                                              const NodeParameters& parameters,
-                                             const rigidformer::RigidTransform& T_fixed_request) {
+                                             const std::vector<rigidformer::BoxRegion>& regions) {
   rigidformer::BatchOptions options;
   options.rollout = task.settings.options;
+  options.rollout.num_particles =
+      request.num_particles == 0 ? parameters.service.num_particles : static_cast<int>(request.num_particles);
+  options.rollout.particle_seed = request.seed;
   options.fidelity =
       request.fidelity == BatchRequest::ENGINE ? rigidformer::Fidelity::kEngine : rigidformer::Fidelity::kModel;
   options.num_threads = parameters.service.batch_threads;
   options.settle = task.settings.settle;
   try {
-    options.stop = read_stop_rules(request, T_fixed_request);
+    options.stop = read_stop_rules(request, regions);
   } catch (const std::invalid_argument& error) {
     throw RequestError(Response::INVALID_REQUEST, error.what());
   }

@@ -19,11 +19,12 @@ namespace rigidformer_ros {
 /// What a BatchRequest has in common with a PredictRollout: which scene, how many steps, which objects, how long.
 PredictRollout::Request scene_question(const BatchRequest& request);
 
-/// Candidates as they were read, and what is wrong with those that could not be.
+/// Candidates and regions as they were read, and what is wrong with those that could not be.
 struct ReadCandidates {
   std::vector<rigidformer::Candidate> candidates;    ///< The good ones, with the changes of `base`
   std::vector<std::size_t> indices;                  ///< Where in the request each of them stands
   std::vector<std::optional<std::string>> mistakes;  ///< One per candidate of the request
+  std::vector<rigidformer::BoxRegion> regions;       ///< In the fixed frame
 };
 
 /// Checks the limits of a request; throws RequestError.
@@ -32,13 +33,13 @@ void check_limits(const BatchRequest& request, const RolloutTask& task, const No
 void check_returned_poses(const BatchRequest& request, const RolloutTask& task, std::size_t num_objects,
                           const NodeParameters& parameters);
 
-/// Reads all candidates. A mistake in `base` is one of the request: throws RequestError.
+/// Reads all candidates and regions. A mistake in `base` or a region is one of the request: throws RequestError.
 ReadCandidates read_candidates(const BatchRequest& request, const NodeParameters& parameters,
                                const rigidformer::RigidTransform& T_fixed_request);
 
 /// What holds for all candidates; throws RequestError.
 rigidformer::BatchOptions read_batch_options(const BatchRequest& request, const RolloutTask& task,
                                              const NodeParameters& parameters,
-                                             const rigidformer::RigidTransform& T_fixed_request);
+                                             const std::vector<rigidformer::BoxRegion>& regions);
 
 }  // namespace rigidformer_ros

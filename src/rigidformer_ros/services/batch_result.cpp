@@ -18,6 +18,7 @@ namespace {
 
 using rigidformer::Candidate;
 using rigidformer::CandidateOutcome;
+using rigidformer::ParticleOutcome;
 using Codes = PredictRollout::Response;
 
 std::int32_t code_of(CandidateOutcome::Error error) {
@@ -35,7 +36,8 @@ std::int32_t code_of(CandidateOutcome::Error error) {
 
 ObjectOutcome to_outcome(const SceneRollout& rollout, std::size_t k, const ResultSettings& settings) {
   const rigidformer::Forecast& forecast = rollout.outcome.forecast;
-  const std::vector<rigidformer::RigidTransform>& poses = forecast.objects[k].poses;
+  const rigidformer::ObjectTrajectory& object = forecast.objects[k];
+  const std::vector<rigidformer::RigidTransform>& poses = object.poses;
   const rigidformer::ObjectState& state = rollout.scene.objects[k].state;
   const double dt_s = rollout.scene.time_step_s;
   ObjectOutcome outcome;
@@ -48,13 +50,44 @@ ObjectOutcome to_outcome(const SceneRollout& rollout, std::size_t k, const Resul
   outcome.settled_step = rigidformer::settled_step(poses, dt_s, settings.settle);
   outcome.max_tilt = rigidformer::max_tilt(poses);
   outcome.path_length = rigidformer::path_length(poses);
-  outcome.p_settled = outcome.p_tilted = std::numeric_limits<float>::quiet_NaN();
   if (settings.request.record == BatchRequest::POSES) {
     for (std::size_t i = 0; i < poses.size(); i += static_cast<std::size_t>(settings.record_every)) {
       outcome.poses.push_back(to_pose(poses[i]));
     }
+    outcome.position_stddev = recorded_values(object.position_stddev_m, settings.record_every);
+    outcome.rotation_stddev = recorded_values(object.rotation_stddev_rad, settings.record_every);
+  } else if (!object.position_stddev_m.empty()) {
+    outcome.position_stddev.push_back(static_cast<float>(object.position_stddev_m.back()));
+    outcome.rotation_stddev.push_back(static_cast<float>(object.rotation_stddev_rad.back()));
   }
   return outcome;
+}
+
+// Share of the particles for which something holds; NaN without particles.
+template <typename Holds>
+float probability(const std::vector<ParticleOutcome>& particles, const Holds& holds) {
+  if (particles.empty()) {
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+  const auto count = std::count_if(particles.begin(), particles.end(), holds);
+  return static_cast<float>(count) / static_cast<float>(particles.size());
+}
+
+void fill_particles(const std::vector<ParticleOutcome>& particles, const ResultSettings& settings,
+                    ObjectOutcome& outcome) {
+  const double tilt_limit = settings.request.tilt_limit;
+  outcome.p_settled = probability(particles, [](const ParticleOutcome& p) { return p.has_settled; });
+  outcome.p_tilted = probability(particles, [&](const ParticleOutcome& p) { return p.max_tilt_rad > tilt_limit; });
+  if (particles.empty()) {
+    return;
+  }
+  for (const rigidformer::BoxRegion& region : settings.regions) {
+    outcome.p_in_region.push_back(
+        probability(particles, [&](const ParticleOutcome& p) { return region.contains(p.T_world_end.translation); }));
+  }
+  for (std::size_t i = 0; settings.request.return_particles && i < particles.size(); ++i) {
+    outcome.particle_end_poses.push_back(to_pose(particles[i].T_world_end));
+  }
 }
 
 // Objects of the scene that were asked for, and those that only tracks know.
@@ -81,6 +114,9 @@ void fill_objects(CandidateResult& result, const CandidateOutcome& outcome, cons
     const std::string& id = outcome.forecast.objects[k].id;
     if (selection.object_ids.empty() || std::count(selection.object_ids.begin(), selection.object_ids.end(), id) > 0) {
       result.objects.push_back(to_outcome(rollout, k, settings));
+      const bool has_particles = k < outcome.particles.size();
+      fill_particles(has_particles ? outcome.particles[k] : std::vector<ParticleOutcome>(), settings,
+                     result.objects.back());
     }
   }
   result.contacts = contact_events(outcome.forecast, selection);

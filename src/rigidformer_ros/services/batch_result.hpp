@@ -19,6 +19,7 @@ struct ResultSettings {
   const BatchRequest& request;
   int record_every = 1;
   rigidformer::SettleCriterion settle;
+  std::vector<rigidformer::BoxRegion> regions;  ///< In the fixed frame
 };
 
 /// The result of a candidate; one that is still running ended for the reason `unfinished` (a stop reason and an error

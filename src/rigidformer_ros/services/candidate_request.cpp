@@ -94,21 +94,16 @@ std::string entry(const char* field, std::size_t i, const std::string& id) {
   return std::string(field) + "[" + std::to_string(i) + "] '" + id + "'";
 }
 
-rigidformer::BoxRegion region_of(const BatchRequest& request, const std::string& name,
-                                 const RigidTransform& T_fixed_request) {
-  for (std::size_t i = 0; i < request.regions.size(); ++i) {
-    if (request.regions[i].name == name) {
-      return named("regions[" + std::to_string(i) + "]", [&] {
-        return rigidformer::BoxRegion{name, T_fixed_request * to_transform(request.regions[i].pose),
-                                      to_vector(request.regions[i].size)};
-      });
+rigidformer::BoxRegion region_of(const std::vector<rigidformer::BoxRegion>& regions, const std::string& name) {
+  for (const rigidformer::BoxRegion& region : regions) {
+    if (region.name == name) {
+      return region;
     }
   }
   throw std::invalid_argument("region: '" + name + "' is none of the regions");
 }
 
-StopRule read_stop_rule(const BatchRequest& request, const StopCondition& message,
-                        const RigidTransform& T_fixed_request) {
+StopRule read_stop_rule(const StopCondition& message, const std::vector<rigidformer::BoxRegion>& regions) {
   StopRule rule;
   switch (message.kind) {
     case StopCondition::TOUCH:
@@ -119,7 +114,7 @@ StopRule read_stop_rule(const BatchRequest& request, const StopCondition& messag
       break;
     case StopCondition::LEAVE:
       rule.kind = StopRule::Kind::kLeave;
-      rule.region = region_of(request, message.region, T_fixed_request);
+      rule.region = region_of(regions, message.region);
       break;
     case StopCondition::ALL_SETTLED:
       rule.kind = StopRule::Kind::kAllSettled;
@@ -182,11 +177,22 @@ Candidate combined(const Candidate& base, Candidate own) {
   return own;
 }
 
-std::vector<StopRule> read_stop_rules(const BatchRequest& request, const RigidTransform& T_fixed_request) {
+std::vector<rigidformer::BoxRegion> read_regions(const BatchRequest& request, const RigidTransform& T_fixed_request) {
+  std::vector<rigidformer::BoxRegion> regions;
+  for (std::size_t i = 0; i < request.regions.size(); ++i) {
+    const Region& message = request.regions[i];
+    regions.push_back(named("regions[" + std::to_string(i) + "]", [&] {
+      return rigidformer::BoxRegion{message.name, T_fixed_request * to_transform(message.pose),
+                                    to_vector(message.size)};
+    }));
+  }
+  return regions;
+}
+
+std::vector<StopRule> read_stop_rules(const BatchRequest& request, const std::vector<rigidformer::BoxRegion>& regions) {
   std::vector<StopRule> rules;
   for (std::size_t i = 0; i < request.stop.size(); ++i) {
-    rules.push_back(named("stop[" + std::to_string(i) + "]",
-                          [&] { return read_stop_rule(request, request.stop[i], T_fixed_request); }));
+    rules.push_back(named("stop[" + std::to_string(i) + "]", [&] { return read_stop_rule(request.stop[i], regions); }));
   }
   return rules;
 }

@@ -24,9 +24,13 @@ rigidformer::Candidate read_candidate(const RolloutCandidate& message, const Nod
 /// The changes of `base` and then those of `own`, under the name of `own`.
 rigidformer::Candidate combined(const rigidformer::Candidate& base, rigidformer::Candidate own);
 
-/// Reads the conditions that end candidates, in the fixed frame. Throws std::invalid_argument naming the field.
+/// Reads the boxes of a request, in the fixed frame. Throws std::invalid_argument naming the field.
+std::vector<rigidformer::BoxRegion> read_regions(const BatchRequest& request,
+                                                 const rigidformer::RigidTransform& T_fixed_request);
+
+/// Reads the conditions that end candidates. Throws std::invalid_argument naming the field.
 std::vector<rigidformer::StopRule> read_stop_rules(const BatchRequest& request,
-                                                   const rigidformer::RigidTransform& T_fixed_request);
+                                                   const std::vector<rigidformer::BoxRegion>& regions);
 
 /// The scene as a candidate makes it, its objects in the order of the candidate's outcome. `unusable` are those that
 /// the predictor left out. The candidate must be one that was not refused.

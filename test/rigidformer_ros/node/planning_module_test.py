@@ -10,8 +10,9 @@ import unittest
 import numpy as np
 import rospy
 import rostest
+from geometry_msgs.msg import Vector3
 from rigidformer_ros import planning
-from rigidformer_ros.msg import ObjectClouds
+from rigidformer_ros.msg import BatchRequest, ObjectClouds, Region
 from rigidformer_ros.srv import GetModelInfo
 
 
@@ -63,6 +64,29 @@ class PlanningModule(unittest.TestCase):
         self.assertEqual(-1, outcomes.first_contact_step('left')[3])
         self.assertTrue(np.isnan(outcomes.max_tilt('left')[3]))
         self.assertGreater(outcomes.path_length('left')[1], 0.05)
+
+    def test_particles_tell_probabilities(self):
+        unknown = scene()
+        unknown.properties = []
+        push = planning.override('left', linear=[3.0, 0.0, 0.0], mass=1.0)
+        regions = [Region('all', planning.to_pose([0, 0, 0]), Vector3(1e3, 1e3, 1e3)),
+                   Region('none', planning.to_pose([5e3, 0, 0]), Vector3(1e3, 1e3, 1e3))]
+        candidates = [planning.candidate(), planning.candidate(overrides=[push]), planning.candidate(removed=['nobody'])]
+        options = dict(num_steps=12, engine=True, scene=unknown, regions=regions, tilt_limit=3.0)
+        outcomes = planning.Planner().rollouts(candidates, particles=6, seed=3, **options)
+        np.testing.assert_array_equal([1.0, 1.0, np.nan], outcomes.in_region('left'))
+        np.testing.assert_array_equal([0.0, 0.0, np.nan], outcomes.in_region('left', 1))
+        np.testing.assert_array_equal([0.0, 0.0, np.nan], outcomes.tilted('left'))
+        np.testing.assert_array_equal([1.0, 0.0], outcomes.settled('left')[:2])
+        again = planning.Planner().rollouts(candidates[1:2], particles=6, seed=3, **options)
+        self.assertEqual(outcomes.message.results[1], again.message.results[0], 'one seed, the same worlds')
+        without = planning.Planner().rollouts(candidates, particles=1, **options)
+        self.assertTrue(np.isnan(without.in_region('left')).all())
+        self.assertTrue(np.isnan(without.settled('left')).all())
+        request = BatchRequest(num_steps=12, candidates=candidates[1:2], fidelity=BatchRequest.ENGINE, scene=unknown,
+                               num_particles=6, return_particles=True)
+        ends = planning.Planner().ask(request).message.results[0].objects[0].particle_end_poses
+        self.assertEqual(6, len({end.position.x for end in ends}), 'each slides as far as its friction lets it')
 
     def test_the_examples_push_what_the_node_sees(self):
         publisher = rospy.Publisher('object_clouds', ObjectClouds, queue_size=1)

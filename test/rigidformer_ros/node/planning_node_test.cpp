@@ -216,8 +216,11 @@ TEST_F(PlanningNodeTest, RequestsBeyondTheLimitsAreRefusedByName) {
   expect_refused(request_of(std::vector<RolloutCandidate>(41), 0), Codes::LIMIT_EXCEEDED, "service/max_candidates");
   expect_refused(request_of({named("a")}, 7), Codes::INVALID_REQUEST, "fidelity");
   BatchRequest request = request_of({named("a")}, 0);
-  request.num_particles = 2;
-  expect_refused(request, Codes::LIMIT_EXCEEDED, "num_particles");
+  request.num_particles = 33;
+  expect_refused(request, Codes::LIMIT_EXCEEDED, "service/max_particles");
+  request = request_of({named("a")}, 0);
+  request.tilt_limit = -1.0;
+  expect_refused(request, Codes::INVALID_REQUEST, "tilt_limit");
   request = request_of({named("a")}, 0);
   request.object_ids = {"nobody"};
   expect_refused(request, Codes::UNKNOWN_OBJECT, "nobody");
