@@ -79,7 +79,7 @@ class PlanningModule(unittest.TestCase):
         np.testing.assert_array_equal([0.0, 0.0, np.nan], outcomes.tilted('left'))
         np.testing.assert_array_equal([1.0, 0.0], outcomes.settled('left')[:2])
         again = planning.Planner().rollouts(candidates[1:2], particles=6, seed=3, **options)
-        self.assertEqual(outcomes.message.results[1], again.message.results[0], 'one seed, the same worlds')
+        self.assertEqual(str(outcomes.message.results[1]), str(again.message.results[0]), 'one seed, the same worlds')
         without = planning.Planner().rollouts(candidates, particles=1, **options)
         self.assertTrue(np.isnan(without.in_region('left')).all())
         self.assertTrue(np.isnan(without.settled('left')).all())
