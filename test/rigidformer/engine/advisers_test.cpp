@@ -29,8 +29,8 @@ TEST(Advisers, DifferWhereMaterialIsUnknown) {
   const auto velocity = [&](std::size_t adviser, std::int64_t k) {
     return (advice[adviser].pose.translation - advice[adviser].departure.translation)[0][k] / kTimeStep_s;
   };
-  EXPECT_LT(largest_difference(velocity(0, 0), velocity(1, 0)), 1e-6);
-  EXPECT_LT(largest_difference(velocity(0, 0), velocity(2, 0)), 1e-6);
+  EXPECT_LT(largest_difference(velocity(0, 0), velocity(1, 0)), 1e-4);
+  EXPECT_LT(largest_difference(velocity(0, 0), velocity(2, 0)), 1e-4);
   EXPECT_GT(velocity(0, 1)[2].item<double>(), velocity(1, 1)[2].item<double>() + 0.3) << "the second does not bounce";
   EXPECT_LT(velocity(2, 1)[0].item<double>(), velocity(0, 1)[0].item<double>() - 0.1) << "the third does not slide";
 }

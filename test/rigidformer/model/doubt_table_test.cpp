@@ -29,8 +29,8 @@ TEST(DoubtTable, TextRoundTripLosesNothing) {
   const std::string text = to_json(table);
   EXPECT_EQ(to_json(doubt_table_from_json(text)), text);
   const DoubtCell cell = doubt_table_from_json(text).at(Knowledge::kOneSide, Phase::kResting, 0.8);
-  EXPECT_DOUBLE_EQ(cell.alone.position_m, 0.045);
-  EXPECT_DOUBLE_EQ(cell.rotation_spread_scale, 0.27);
+  EXPECT_NEAR(cell.alone.position_m, 0.045, 1e-12);
+  EXPECT_NEAR(cell.rotation_spread_scale, 0.27, 1e-12);
 }
 
 TEST(DoubtTable, RefusesEverythingElse) {
