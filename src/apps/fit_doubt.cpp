@@ -54,8 +54,7 @@ void add_samples(const CandidateOutcome& outcome, const SceneRecording& scene, i
       const RigidTransform& truth = scene.objects[k].T_world_object.at(frame);
       DoubtSample sample;
       sample.knowledge = outcome.knowledge[k];
-      sample.phase = phase_of(object.poses, first_contact, i, forecast.times_s[1]);
-      sample.time_s = forecast.times_s[i];
+      sample.progress = progress_of(object.poses, first_contact, i, forecast.times_s[1]);
       sample.position_error_m = truth.translation - object.poses[i].translation;
       sample.rotation_error_rad = rotation_vector(truth.rotation * object.poses[i].rotation.conjugate());
       sample.spread = {object.position_stddev_m[i], object.rotation_stddev_rad[i]};

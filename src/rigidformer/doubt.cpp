@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer/doubt.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rigidformer/engine/observed_solid.hpp"
@@ -38,12 +39,20 @@ std::vector<Knowledge> knowledge_of(const std::vector<CandidateObject>& objects,
   return knowledge;
 }
 
-Phase phase_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step, double time_step_s) {
-  if (first_contact < 0 || static_cast<std::size_t>(first_contact) > step) return Phase::kFree;
-  if (step == 0) return Phase::kContact;
+Progress progress_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step,
+                     double time_step_s) {
+  Progress progress{Phase::kFree, static_cast<double>(step) * time_step_s, kLeastSpeed_mps};
+  for (std::size_t i = 1; i <= std::max<std::size_t>(step, 1) && i < poses.size(); ++i) {
+    const double speed_mps = (poses[i].translation - poses[i - 1].translation).norm() / time_step_s;
+    progress.speed_mps = std::max(progress.speed_mps, speed_mps);
+  }
+  if (first_contact < 0 || static_cast<std::size_t>(first_contact) > step) return progress;
+  progress.time_s -= first_contact * time_step_s;
   SettleCriterion rest;
   rest.duration_s = 0.0;
-  return settled_step({poses[step - 1], poses[step]}, time_step_s, rest) == 0 ? Phase::kResting : Phase::kContact;
+  const bool rests = step > 0 && settled_step({poses[step - 1], poses[step]}, time_step_s, rest) == 0;
+  progress.phase = rests ? Phase::kResting : Phase::kContact;
+  return progress;
 }
 
 Doubt spread_of(const std::vector<RigidTransform>& poses) {
@@ -59,10 +68,10 @@ Doubt spread_of(const std::vector<RigidTransform>& poses) {
   return {std::sqrt(position / coordinates), std::sqrt(rotation / coordinates)};
 }
 
-Doubt total_doubt(const DoubtCell& cell, const std::optional<Doubt>& spread) {
-  if (!spread) return cell.alone;
-  return {std::hypot(cell.beside.position_m, cell.position_spread_scale * spread->position_m),
-          std::hypot(cell.beside.rotation_rad, cell.rotation_spread_scale * spread->rotation_rad)};
+Doubt total_doubt(const DoubtCell& cell, double speed_mps, const std::optional<Doubt>& spread) {
+  if (!spread) return {cell.alone.position_m * speed_mps, cell.alone.rotation_rad * speed_mps};
+  return {std::hypot(cell.beside.position_m * speed_mps, cell.position_spread_scale * spread->position_m),
+          std::hypot(cell.beside.rotation_rad * speed_mps, cell.rotation_spread_scale * spread->rotation_rad)};
 }
 
 std::optional<Doubt> nothing_spreads(std::size_t, std::size_t) { return {}; }
@@ -75,8 +84,9 @@ void add_doubt(const DoubtTable& table, const std::vector<Knowledge>& knowledge,
     if (modes[k] != MotionMode::kDynamic) continue;  // nobody doubts what is given
     const int first_contact = first_contact_step(forecast, static_cast<int>(k));
     for (std::size_t step = object.position_stddev_m.size(); step < object.poses.size(); ++step) {
-      const Phase phase = phase_of(object.poses, first_contact, step, forecast.times_s[1]);
-      const Doubt doubt = total_doubt(table.at(knowledge[k], phase, forecast.times_s[step]), spread(k, step));
+      const Progress progress = progress_of(object.poses, first_contact, step, forecast.times_s[1]);
+      const DoubtCell cell = table.at(knowledge[k], progress.phase, progress.time_s);
+      const Doubt doubt = total_doubt(cell, progress.speed_mps, spread(k, step));
       object.position_stddev_m.push_back(doubt.position_m);
       object.rotation_stddev_rad.push_back(doubt.rotation_rad);
     }

@@ -18,16 +18,23 @@ struct ObservedSolid;
 std::vector<Knowledge> knowledge_of(const std::vector<CandidateObject>& objects,
                                     const std::vector<ObservedSolid>& solids);
 
-/// Of a step of a motion that touches something first at step `first_contact` (-1 = never), from what happened up to
-/// it.
-Phase phase_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step, double time_step_s);
+/// What an object has gone through up to a step: errors begin with a contact, and grow with the speed that it had.
+struct Progress {
+  Phase phase = Phase::kFree;
+  double time_s = 0.0;     ///< Since the first contact, or since the observation without one
+  double speed_mps = 0.0;  ///< The largest of its origin so far, at least kLeastSpeed_mps
+};
+constexpr double kLeastSpeed_mps = 0.1;  ///< What is slower is held still by the shipped models
+
+/// Of a step of a motion that touches something first at step `first_contact`, -1 = never.
+Progress progress_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step, double time_step_s);
 
 /// How far poses lie apart: of each coordinate of the position and of the rotation vector from their mean. At least
 /// two.
 Doubt spread_of(const std::vector<RigidTransform>& poses);
 
-/// The doubt of a forecast whose particles have that spread; without particles, of the forecast alone.
-Doubt total_doubt(const DoubtCell& cell, const std::optional<Doubt>& spread);
+/// The doubt of a forecast whose particles have that spread, at that speed; without particles, of the forecast alone.
+Doubt total_doubt(const DoubtCell& cell, double speed_mps, const std::optional<Doubt>& spread);
 
 /// Fills in the standard deviations of dynamic objects up to the last step, those that are there already stay.
 /// `spread(object, step)` gives the spread of their particles, and nothing without them.

@@ -18,19 +18,27 @@ TEST(Doubt, SpreadIsThatOfOneCoordinate) {
   EXPECT_EQ(spread_of({at(1.0), at(1.0)}).position_m, 0.0);
 }
 
-TEST(Doubt, PhasesFollowWhatHappened) {
-  const std::vector<RigidTransform> poses{at(0.0), at(0.1), at(0.2), at(0.2)};
-  EXPECT_EQ(phase_of(poses, -1, 3, 0.04), Phase::kFree);
-  EXPECT_EQ(phase_of(poses, 2, 1, 0.04), Phase::kFree);
-  EXPECT_EQ(phase_of(poses, 2, 2, 0.04), Phase::kContact);
-  EXPECT_EQ(phase_of(poses, 2, 3, 0.04), Phase::kResting);
-  EXPECT_EQ(phase_of(poses, 0, 0, 0.04), Phase::kContact);
+TEST(Doubt, ProgressFollowsWhatHappened) {
+  const std::vector<RigidTransform> poses{at(0.0), at(0.1), at(0.3), at(0.3)};
+  const auto phase = [&](int first_contact, std::size_t step) {
+    return progress_of(poses, first_contact, step, 0.05).phase;
+  };
+  EXPECT_EQ(phase(-1, 3), Phase::kFree);
+  EXPECT_EQ(phase(2, 1), Phase::kFree);
+  EXPECT_EQ(phase(2, 2), Phase::kContact);
+  EXPECT_EQ(phase(2, 3), Phase::kResting);
+  EXPECT_EQ(phase(0, 0), Phase::kContact);
+  EXPECT_DOUBLE_EQ(progress_of(poses, -1, 3, 0.05).time_s, 0.15);
+  EXPECT_DOUBLE_EQ(progress_of(poses, 2, 3, 0.05).time_s, 0.05) << "since the contact";
+  EXPECT_DOUBLE_EQ(progress_of(poses, 2, 1, 0.05).speed_mps, 2.0);
+  EXPECT_DOUBLE_EQ(progress_of(poses, 2, 3, 0.05).speed_mps, 4.0) << "the largest so far";
+  EXPECT_DOUBLE_EQ(progress_of({at(0.0), at(0.0)}, -1, 1, 0.05).speed_mps, kLeastSpeed_mps);
 }
 
 TEST(Doubt, SpreadAndTheRestAddUpSquared) {
   const DoubtCell cell{{0.5, 0.6}, {0.03, 0.0}, 2.0, 3.0};
-  EXPECT_DOUBLE_EQ(total_doubt(cell, {}).position_m, 0.5);
-  const Doubt doubt = total_doubt(cell, Doubt{0.02, 0.1});
+  EXPECT_DOUBLE_EQ(total_doubt(cell, 2.0, {}).position_m, 1.0);
+  const Doubt doubt = total_doubt(cell, 1.0, Doubt{0.02, 0.1});
   EXPECT_DOUBLE_EQ(doubt.position_m, 0.05);
   EXPECT_DOUBLE_EQ(doubt.rotation_rad, 0.3);
 }
@@ -50,8 +58,8 @@ TEST(Doubt, IsFilledInStepByStepForWhatIsPredicted) {
               nothing_spreads, forecast);
     ASSERT_EQ(forecast.objects[0].position_stddev_m.size(), forecast.times_s.size());
   }
-  EXPECT_DOUBLE_EQ(forecast.objects[0].position_stddev_m[3], 0.1);
-  EXPECT_DOUBLE_EQ(forecast.objects[0].rotation_stddev_rad[3], 0.2);
+  EXPECT_DOUBLE_EQ(forecast.objects[0].position_stddev_m[3], 0.1 * kLeastSpeed_mps);
+  EXPECT_DOUBLE_EQ(forecast.objects[0].rotation_stddev_rad[3], 0.2 * kLeastSpeed_mps);
   EXPECT_TRUE(forecast.objects[1].position_stddev_m.empty());
 }
 

@@ -22,7 +22,9 @@ using Samples = std::vector<const DoubtSample*>;
 
 /// Whether a sample belongs to the row of that time: the nearest one on a logarithmic scale.
 bool is_at(const DoubtSample& sample, std::size_t row) {
-  const auto distance = [&](double time_s) { return std::abs(std::log(sample.time_s / time_s)); };
+  const auto distance = [&](double time_s) {
+    return std::abs(std::log(std::max(sample.progress.time_s, DoubtTable::kTimes_s.front()) / time_s));
+  };
   const auto& times = DoubtTable::kTimes_s;
   const auto nearest =
       std::min_element(times.begin(), times.end(), [&](double a, double b) { return distance(a) < distance(b); });
@@ -38,88 +40,96 @@ Samples select(const std::vector<DoubtSample>& samples, const Belongs& belongs) 
   return selected;
 }
 
-/// One coordinate's worth of a sample: how far off it was, and how far particles were apart.
+/// How far off a pose was, how far particles were apart, and how fast the object had been.
 struct Deviation {
   Eigen::Vector3d error;
-  double spread;
+  double spread, speed_mps;
 };
 
-double mean_crps(const std::vector<Deviation>& deviations, double beside, double spread_scale) {
+/// Standard deviations are `constant` + `beside` times the speed, and the scaled spread.
+struct Spreading {
+  double constant = 0.0, beside = 0.0, spread_scale = 0.0;
+
+  double stddev(const Deviation& deviation) const {
+    return std::hypot(constant + beside * deviation.speed_mps, spread_scale * deviation.spread);
+  }
+};
+
+double mean_crps(const std::vector<Deviation>& deviations, const Spreading& spreading, bool per_speed) {
   double sum = 0.0;
   for (const Deviation& deviation : deviations) {
-    const double stddev = std::hypot(beside, spread_scale * deviation.spread);
-    for (const double error : deviation.error) sum += crps(stddev, error) / 3.0;
+    const double stddev = spreading.stddev(deviation), unit = per_speed ? deviation.speed_mps : 1.0;
+    for (const double error : deviation.error) sum += crps(stddev, error) / (3.0 * unit);
   }
   return sum / static_cast<double>(deviations.size());
 }
 
-struct Fit {
-  double alone = 0.0, beside = 0.0, spread_scale = 1.0;
-};
+double candidate(int i) { return kSmallest * std::pow(kLargest / kSmallest, static_cast<double>(i) / kCandidates); }
 
-Fit fit(const std::vector<Deviation>& deviations) {
-  Fit best;
-  double least_alone = std::numeric_limits<double>::infinity(), least = least_alone;
+Spreading best_with(const std::vector<Deviation>& deviations, const std::vector<double>& spread_scales) {
+  Spreading best;
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= kCandidates; ++i) {
-    const double stddev = kSmallest * std::pow(kLargest / kSmallest, static_cast<double>(i) / kCandidates);
-    for (const double scale : kSpreadScales) {
-      const double score = mean_crps(deviations, stddev, scale);
-      if (scale == 0.0 && score < least_alone) {
-        least_alone = score;
-        best.alone = stddev;
-      }
+    for (const double scale : spread_scales) {
+      const Spreading spreading{0.0, candidate(i), scale};
+      const double score = mean_crps(deviations, spreading, true);
       if (score >= least) continue;
       least = score;
-      best.beside = stddev;
-      best.spread_scale = scale;
+      best = spreading;
     }
   }
   return best;
 }
 
+/// The least score that one standard deviation can have.
+double score_of_constant(const std::vector<Deviation>& deviations) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kCandidates; ++i) {
+    least = std::min(least, mean_crps(deviations, {candidate(i), 0.0, 0.0}, false));
+  }
+  return least;
+}
+
 std::vector<Deviation> positions(const Samples& samples) {
   std::vector<Deviation> deviations;
-  for (const DoubtSample* sample : samples) deviations.push_back({sample->position_error_m, sample->spread.position_m});
+  for (const DoubtSample* sample : samples) {
+    deviations.push_back({sample->position_error_m, sample->spread.position_m, sample->progress.speed_mps});
+  }
   return deviations;
 }
 
 std::vector<Deviation> rotations(const Samples& samples) {
   std::vector<Deviation> deviations;
-  for (const DoubtSample* s : samples) deviations.push_back({s->rotation_error_rad, s->spread.rotation_rad});
+  for (const DoubtSample* sample : samples) {
+    deviations.push_back({sample->rotation_error_rad, sample->spread.rotation_rad, sample->progress.speed_mps});
+  }
   return deviations;
 }
 
 DoubtCell fit_cell(const Samples& samples) {
   if (samples.empty()) return {{kLargest, kLargest}, {kLargest, kLargest}, 1.0, 1.0};  // nothing is known: all is open
-  const Fit position = fit(positions(samples)), rotation = fit(rotations(samples));
-  return {{position.alone, rotation.alone},
-          {position.beside, rotation.beside},
-          position.spread_scale,
-          rotation.spread_scale};
+  const std::vector<Deviation> position = positions(samples), rotation = rotations(samples);
+  const Spreading with = best_with(position, kSpreadScales), turn_with = best_with(rotation, kSpreadScales);
+  return {{best_with(position, {0.0}).beside, best_with(rotation, {0.0}).beside},
+          {with.beside, turn_with.beside},
+          with.spread_scale,
+          turn_with.spread_scale};
 }
 
-/// Share of the samples inside of a region, and mean scores, of one cell.
-struct Coverage {
-  double half = 0.0, nine_tenths = 0.0, score = 0.0, score_alone = 0.0;
-};
-
-Coverage coverage(const std::vector<Deviation>& deviations, double beside, double spread_scale, double alone) {
-  Coverage result;
-  const double share = 1.0 / static_cast<double>(deviations.size());
+void print_row(std::ostream& stream, const std::string& cell, const char* what,
+               const std::vector<Deviation>& deviations, const Spreading& alone, const Spreading& with, double unit) {
+  int half = 0, nine_tenths = 0;
   for (const Deviation& deviation : deviations) {
-    const double distance = deviation.error.norm() / std::hypot(beside, spread_scale * deviation.spread);
-    result.half += distance < kHalf ? share : 0.0;
-    result.nine_tenths += distance < kNineTenths ? share : 0.0;
+    const double distance = deviation.error.norm() / with.stddev(deviation);
+    half += distance < kHalf ? 1 : 0;
+    nine_tenths += distance < kNineTenths ? 1 : 0;
   }
-  result.score = mean_crps(deviations, beside, spread_scale);
-  result.score_alone = mean_crps(deviations, alone, 0.0);
-  return result;
-}
-
-void print_row(std::ostream& stream, const std::string& cell, const char* what, const Coverage& c, double unit) {
-  char text[200];
-  std::snprintf(text, sizeof(text), "| %s | %s | %.0f %% | %.0f %% | %.4f | %.4f | %.2f |\n", cell.c_str(), what,
-                100.0 * c.half, 100.0 * c.nine_tenths, unit * c.score_alone, unit * c.score, c.score / c.score_alone);
+  const double count = static_cast<double>(deviations.size()), constant = score_of_constant(deviations);
+  const double score_alone = mean_crps(deviations, alone, false), score_with = mean_crps(deviations, with, false);
+  char text[300];
+  std::snprintf(text, sizeof(text), "| %s | %s | %zu | %.0f %% | %.0f %% | %.4f | %.4f | %.4f | %.2f |\n", cell.c_str(),
+                what, deviations.size(), 100.0 * half / count, 100.0 * nine_tenths / count, unit * constant,
+                unit * score_alone, unit * score_with, score_with / constant);
   stream << text;
 }
 
@@ -155,8 +165,9 @@ double crps(double stddev, double error) {
 DoubtTable fit_doubt(const std::vector<DoubtSample>& samples) {
   DoubtTable table;
   for_each_cell([&](Knowledge knowledge, Phase phase, std::size_t row) {
-    Samples of_cell = select(
-        samples, [&](const DoubtSample& s) { return s.knowledge == knowledge && s.phase == phase && is_at(s, row); });
+    Samples of_cell = select(samples, [&](const DoubtSample& s) {
+      return s.knowledge == knowledge && s.progress.phase == phase && is_at(s, row);
+    });
     if (of_cell.size() < kFewSamples) {
       of_cell = select(samples, [&](const DoubtSample& s) { return s.knowledge == knowledge && is_at(s, row); });
     }
@@ -166,24 +177,22 @@ DoubtTable fit_doubt(const std::vector<DoubtSample>& samples) {
 }
 
 void print_coverage(std::ostream& stream, const DoubtTable& table, const std::vector<DoubtSample>& samples) {
-  stream << "| known | phase | time | of | inside 50 % | inside 90 % | CRPS alone | with particles | ratio |\n"
-            "|---|---|---|---|---|---|---|---|---|\n";
+  stream << "| known | phase | time | of | poses | inside 50 % | inside 90 % | CRPS of one number | alone | with "
+            "particles "
+            "| ratio |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   for_each_cell([&](Knowledge knowledge, Phase phase, std::size_t row) {
-    const Samples of_cell = select(
-        samples, [&](const DoubtSample& s) { return s.knowledge == knowledge && s.phase == phase && is_at(s, row); });
+    const Samples of_cell = select(samples, [&](const DoubtSample& s) {
+      return s.knowledge == knowledge && s.progress.phase == phase && is_at(s, row);
+    });
     if (of_cell.size() < kFewSamples) return;
     char cell[100];
     std::snprintf(cell, sizeof(cell), "%s | %s | %.2f s", name_of(knowledge), name_of(phase),
                   DoubtTable::kTimes_s.at(row));
     const DoubtCell doubt = table.at(knowledge, phase, DoubtTable::kTimes_s.at(row));
-    print_row(
-        stream, cell, "position [m]",
-        coverage(positions(of_cell), doubt.beside.position_m, doubt.position_spread_scale, doubt.alone.position_m),
-        1.0);
-    print_row(
-        stream, cell, "rotation [°]",
-        coverage(rotations(of_cell), doubt.beside.rotation_rad, doubt.rotation_spread_scale, doubt.alone.rotation_rad),
-        180.0 / M_PI);
+    print_row(stream, cell, "position [m]", positions(of_cell), {0.0, doubt.alone.position_m, 0.0},
+              {0.0, doubt.beside.position_m, doubt.position_spread_scale}, 1.0);
+    print_row(stream, cell, "rotation [°]", rotations(of_cell), {0.0, doubt.alone.rotation_rad, 0.0},
+              {0.0, doubt.beside.rotation_rad, doubt.rotation_spread_scale}, 180.0 / M_PI);
   });
 }
 

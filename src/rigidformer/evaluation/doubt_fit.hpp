@@ -12,8 +12,7 @@ namespace rigidformer {
 /// How far one predicted pose was from the truth, and how far its particles were from each other.
 struct DoubtSample {
   Knowledge knowledge = Knowledge::kMaterial;
-  Phase phase = Phase::kFree;
-  double time_s = 0.0;
+  Progress progress;
   Eigen::Vector3d position_error_m = Eigen::Vector3d::Zero(), rotation_error_rad = Eigen::Vector3d::Zero();
   Doubt spread;
 };
@@ -27,7 +26,8 @@ double crps(double stddev, double error);
 DoubtTable fit_doubt(const std::vector<DoubtSample>& samples);
 
 /// A table in Markdown by knowledge, phase and time: how often the truth lay inside of the regions of 50 and of 90 %,
-/// and the scores of one standard deviation per cell and of that with particles.
+/// and the scores of the best single standard deviation of these very samples, of the table without particles and with
+/// them.
 void print_coverage(std::ostream& stream, const DoubtTable& table, const std::vector<DoubtSample>& samples);
 
 }  // namespace rigidformer

@@ -19,13 +19,14 @@ struct Doubt {
 };
 
 /// The doubt of a forecast without particles (`alone`), and with them: `spread_scale` times their spread and `beside`
-/// it, both squared and added.
+/// it, both squared and added. `alone` and `beside` are those of a speed of 1 m/s.
 struct DoubtCell {
   Doubt alone, beside;
   double position_spread_scale = 1.0, rotation_spread_scale = 1.0;
 };
 
-/// Measured doubt of one model by knowledge, phase and time, as fit_doubt.cpp finds it on scenes never learned from.
+/// Measured doubt of one model by knowledge, phase and time (doubt.hpp), as fit_doubt.cpp finds it on scenes never
+/// learned from.
 struct DoubtTable {
   static constexpr std::array<double, 5> kTimes_s{0.05, 0.1, 0.2, 0.4, 0.8};  ///< Of the rows; about a factor of two
 
