@@ -234,6 +234,24 @@ TEST_F(ContactEventsTest, P41_StaticObjectsAreNoEvents) {
   EXPECT_TRUE(find({rest}).resting.empty());
 }
 
+TEST_F(ContactEventsTest, DrivenBodiesCountWhileTheyMoveNearAnObject) {
+  const auto scene_with = [](double speed_mps, bool is_driven) {
+    SceneRecording scene = moving_cube(60, [](double) { return Eigen::Vector3d(0.0, 0.0, 0.5); });
+    const SceneRecording other =
+        moving_cube(60, [&](double t) { return Eigen::Vector3d(2.2 - speed_mps * t, 0.0, 0.5); });
+    scene.objects.push_back(other.objects[0]);
+    scene.objects[1].is_driven = is_driven;
+    return scene;
+  };
+  const ContactEvents events =
+      find({scene_with(0.0, true), scene_with(4.0, false), scene_with(4.0, true), scene_with(0.01, true)});
+  ASSERT_EQ(events.driven.size(), 4u);  // spheres around cubes of 1 m meet at 1.73 m: from frame 29 on
+  for (const ContactEvent& event : events.driven) {
+    EXPECT_EQ(event.scene, 2);
+    EXPECT_GE(event.frame, 29);
+  }
+}
+
 TEST_F(ContactEventsTest, RestAndRollingAreToldApart) {
   const SceneRecording rest = moving_cube(60, [](double) { return Eigen::Vector3d(1.0, 2.0, 0.5); });
   const SceneRecording slide = moving_cube(60, [](double t) { return Eigen::Vector3d(1.0 * t, 0.0, 0.5); });
