@@ -57,7 +57,7 @@ TEST(LengthScaledForecaster, AnswersInRealLengthsAndTimes) {
    public:
     std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
                                                       const RolloutOptions& rollout,
-                                                      const std::vector<GivenTrack>&) override {
+                                                      const std::vector<GivenTrack>& = {}) override {
       seen = objects.at(1);
       time_step_s = rollout.time_step_s;
       return BallisticForecaster::forecast(objects, rollout);

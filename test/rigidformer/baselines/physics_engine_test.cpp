@@ -197,9 +197,6 @@ TEST_P(PhysicsEngine, RefusesWhatItCannotSimulate) {
   bad = rollout;
   bad.ground_height_m.reset();
   EXPECT_THROW(forecast({object}, bad), std::invalid_argument);
-  object.mode = MotionMode::kKinematic;
-  EXPECT_THROW(forecast({object}, rollout), std::invalid_argument);
-  object.mode = MotionMode::kDynamic;
   object.points_reference = Points::Zero(3, 3);
   EXPECT_THROW(forecast({object}, rollout), std::invalid_argument);
 }
