@@ -32,6 +32,9 @@ int main(int argc, char** argv) {
   app.add_option("--contacts", options.contacts,
                  "movi | varied: other materials, floors, sizes, gravity and solvers in every scene")
       ->capture_default_str();
+  app.add_flag("--fixtures", options.fixtures,
+               "Static fixtures (tables, shelves, bins, walls, ramps, pegs) and driven pushers, palms and grippers "
+               "(MOVi scenes only)");
   app.add_option("--format", options.format, "archive | kubric")->capture_default_str();
   app.add_option("--jobs", options.jobs, "Threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -188,13 +188,4 @@ std::vector<CandidateObject> candidate_objects(const Candidate& candidate, const
   return objects;
 }
 
-RigidTransform pose_at(const GivenTrack& track, double time_s) {
-  const auto next = std::upper_bound(track.times_s.begin(), track.times_s.end(), time_s);
-  if (next == track.times_s.begin()) return track.T_world_reference.front();
-  if (next == track.times_s.end()) return track.T_world_reference.back();
-  const auto i = static_cast<std::size_t>(next - track.times_s.begin());
-  const double fraction = (time_s - track.times_s[i - 1]) / (track.times_s[i] - track.times_s[i - 1]);
-  return interpolate(track.T_world_reference[i - 1], track.T_world_reference[i], fraction);
-}
-
 }  // namespace rigidformer

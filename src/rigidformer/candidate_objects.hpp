@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -37,7 +38,14 @@ struct CandidateObject {
 std::vector<CandidateObject> candidate_objects(const Candidate& candidate, const std::vector<ObjectState>& scene,
                                                double time_step_s);
 
-/// Where a track is at a time.
-RigidTransform pose_at(const GivenTrack& track, double time_s);
+/// Where a track is at a time. Inline, so that engines need no LibTorch to follow one.
+inline RigidTransform pose_at(const GivenTrack& track, double time_s) {
+  const auto next = std::upper_bound(track.times_s.begin(), track.times_s.end(), time_s);
+  if (next == track.times_s.begin()) return track.T_world_reference.front();
+  if (next == track.times_s.end()) return track.T_world_reference.back();
+  const auto i = static_cast<std::size_t>(next - track.times_s.begin());
+  const double fraction = (time_s - track.times_s[i - 1]) / (track.times_s[i] - track.times_s[i - 1]);
+  return interpolate(track.T_world_reference[i - 1], track.T_world_reference[i], fraction);
+}
 
 }  // namespace rigidformer

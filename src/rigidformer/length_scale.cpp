@@ -184,6 +184,7 @@ double automatic_length_scale(const SceneArchive& archive, double min_size_m, do
   std::vector<double> diameters;
   for (const SceneRecording& scene : archive.scenes) {
     for (const RecordedObject& object : scene.objects) {
+      if (object.is_given()) continue;
       diameters.push_back(object.size * diameter_of.at(object.shape));
     }
   }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "rigidformer/candidates_fixture.hpp"
+#include "rigidformer/evaluation/model_forecaster.hpp"
 
 #ifdef RIGIDFORMER_HAS_SIMULATION
 namespace rigidformer {
@@ -114,6 +115,28 @@ TEST_F(CandidatesTest, NoneIsMoreThanAStepAheadAndEveryCallTakesOne) {
     EXPECT_LE(most - fewest, 1u);
   }
   EXPECT_EQ(calls, 15);
+}
+
+TEST_F(CandidatesTest, AForecasterFollowsTracksAsACandidateDoes) {
+  scene_[0].mode = MotionMode::kKinematic;
+  GivenTrack track;
+  track.id = "a";
+  track.times_s = {-kCandidateStep_s, 0.0, 3.0 * kCandidateStep_s};
+  const RigidTransform start = scene_[0].T_world_current;
+  track.T_world_reference = {scene_[0].T_world_previous, start, start};
+  track.T_world_reference[2].translation.x() += 0.6;
+  Candidate candidate;
+  candidate.tracks = {track};
+  const BatchOptions batch = options(Fidelity::kModel, 3);
+  const Forecast wanted = roll_out(std::vector<Candidate>{candidate}, batch)[0].forecast;
+  const auto poses = ModelForecaster(*predictor_).forecast(scene_, batch.rollout, {track});
+  ASSERT_EQ(poses.size(), scene_.size());
+  EXPECT_NEAR(poses[0][3].translation.x() - start.translation.x(), 0.6, 1e-6);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(poses[i][3].translation, wanted.objects[i].poses[3].translation);
+  }
+  track.id = "nobody";
+  EXPECT_THROW(ModelForecaster(*predictor_).forecast(scene_, batch.rollout, {track}), std::invalid_argument);
 }
 
 TEST_F(CandidatesTest, AnObjectThatCannotBePredictedIsLeftOutForAll) {

@@ -56,7 +56,8 @@ TEST(LengthScaledForecaster, AnswersInRealLengthsAndTimes) {
   class Seeing : public BallisticForecaster {
    public:
     std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                      const RolloutOptions& rollout) override {
+                                                      const RolloutOptions& rollout,
+                                                      const std::vector<GivenTrack>& = {}) override {
       seen = objects.at(1);
       time_step_s = rollout.time_step_s;
       return BallisticForecaster::forecast(objects, rollout);

@@ -15,7 +15,8 @@ class BallisticForecaster : public Forecaster {
 
   /// Throws std::invalid_argument when `num_steps` or `time_step_s` is not positive.
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) override;
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>& tracks = {}) override;
 };
 
 }  // namespace rigidformer

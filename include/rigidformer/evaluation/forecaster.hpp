@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rigidformer/candidates.hpp"
 #include "rigidformer/predictor.hpp"
 #include "rigidformer/scene/object.hpp"
 
@@ -19,9 +20,11 @@ class Forecaster {
   virtual std::string name() const = 0;
 
   /// Returns T_world_reference as [object][k] for k = 0 ... num_steps at times k *
-  /// time_step_s; k = 0 is the observation.
+  /// time_step_s; k = 0 is the observation. `tracks` are those of kinematic objects, by id; one without a track keeps
+  /// its twist.
   virtual std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                            const RolloutOptions& rollout) = 0;
+                                                            const RolloutOptions& rollout,
+                                                            const std::vector<GivenTrack>& tracks = {}) = 0;
 };
 
 }  // namespace rigidformer

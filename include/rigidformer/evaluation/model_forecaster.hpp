@@ -16,7 +16,8 @@ class ModelForecaster : public Forecaster {
 
   /// Diverged objects keep their last finite pose and are scored with it.
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) override;
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>& tracks = {}) override;
 
  private:
   Predictor& predictor_;

@@ -64,7 +64,8 @@ struct SceneResult {
   const SceneRecording* scene = nullptr;                  ///< The scene that was rolled out; never null
   std::vector<PoseError> at_horizon;                      ///< [horizon] error of the scored objects
   std::vector<std::vector<PoseError>> object_at_horizon;  ///< [horizon][object] distance and angle of one object
-  std::map<int, PoseError> curve;  ///< Errors of all objects by horizon, from the second given frame on; see curve_end
+  std::map<int, PoseError>
+      curve;  ///< Errors of all free objects by horizon, from the second given frame on; see curve_end
   std::vector<std::vector<RigidTransform>> predicted;  ///< [object][k] predicted poses
   SettledCount settled = {};                           ///< Only with to_the_end
 };

@@ -18,11 +18,15 @@ struct RecordedObject {
   double size = 1.0;  ///< Uniform scale of the shape
   BodyProperties properties;
   bool is_static = false;                      ///< Never moves, whatever hits it (table, shelf, wall)
+  bool is_driven = false;                      ///< Goes its own way, whatever it pushes (finger, palm); not static
   std::vector<RigidTransform> T_world_object;  ///< One pose per frame; the origin is the centre of mass
   std::vector<Eigen::Vector3d> velocities;     ///< Velocity of the centre of mass [m/s], one per frame; may be empty
   std::vector<Eigen::Vector3d> angular_velocities;  ///< Angular velocity in world [rad/s], one per frame; may be empty
   /// [m] Given by a file instead of the size, which follows from it once the mesh is known. Empty in loaded scenes.
   std::optional<double> largest_extent_m;
+
+  /// Whether nobody has to predict the object.
+  bool is_given() const { return is_static || is_driven; }
 };
 
 /// Whether gravity points along -z, within the two degrees by which a floor may be tilted, or vanishes. The network

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct BodyState {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< Velocity of the centre of mass [m/s]
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< Angular velocity in world [rad/s]
 };
+
+/// Where a body is at a time [s].
+using MotionPath = std::function<RigidTransform(double time_s)>;
 
 /// A shape made ready for collisions. Worlds only read it, so that any number of bodies in any number of worlds and
 /// threads may share one: making it takes longer than simulating a body for many steps.
@@ -79,6 +83,10 @@ class BulletWorld {
   int add_driven_body(const Shape& shape, double size, BodyProperties properties, const BodyState& state);
   int add_driven_body(std::shared_ptr<const CollisionShape> shape, BodyProperties properties, const BodyState& state);
 
+  /// Has a driven body follow a path whose time 0 is now: it is on it before and after every solver step. From now on
+  /// it passes through the floor and through what follows a path as well.
+  void follow(int body, MotionPath path);
+
   /// Removes the body added last.
   void remove_last_body();
 
@@ -100,19 +108,22 @@ class BulletWorld {
   const std::vector<PressedBodies>& pressed() const;
 
  private:
+  void go_on_paths();
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
 /// Makes a world that holds the objects of `scene` as they are at `frame`. Velocities absent from the
-/// recording are taken as zero. Throws std::invalid_argument when a shape is missing from `shapes` or
-/// `frame` lies outside the recording.
+/// recording are taken as zero. Static objects stay where they are, driven ones keep their velocity. Throws
+/// std::invalid_argument when a shape is missing from `shapes` or `frame` lies outside the recording.
 BulletWorld make_world(const SceneRecording& scene, const std::vector<Shape>& shapes, const BulletSettings& settings,
                        int frame = 0);
 
 /// Simulates `scene` from its frame 0 and returns a copy with `num_frames` frames of poses and velocities, the first of
-/// them `first_frame` frames after the start.
+/// them `first_frame` frames after the start. `paths` are those of its driven objects, one per object, empty for the
+/// others; their time 0 is the first recorded frame. Without them, driven objects keep their velocity.
 SceneRecording simulate(const SceneRecording& scene, const std::vector<Shape>& shapes, const BulletSettings& settings,
-                        int num_frames, int first_frame = 0);
+                        int num_frames, int first_frame = 0, const std::vector<MotionPath>& paths = {});
 
 }  // namespace rigidformer

@@ -20,6 +20,7 @@ struct DatasetOptions {
   std::filesystem::path shapes;    ///< Folder in KuBasic layout; empty = built-in shapes
   std::string engine = "bullet";   ///< bullet | mujoco, which must be built in
   std::string contacts = "movi";   ///< movi | varied: materials, floors, sizes and solvers of wide ranges
+  bool fixtures = false;           ///< Adds tables, shelves, walls, ..., and bodies that are driven
   std::string format = "archive";  ///< archive (shards of 100 scenes) | kubric (one folder per scene)
   MoviOptions movi;                ///< Which frames are recorded and how scenes are drawn
   int jobs = 1;                    ///< Number of threads

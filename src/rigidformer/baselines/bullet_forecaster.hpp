@@ -23,7 +23,8 @@ class BulletForecaster : public Forecaster {
 
   /// Throws std::invalid_argument for what observe_bodies() refuses.
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) override;
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>& tracks = {}) override;
 
  private:
   std::string name_;

@@ -17,7 +17,8 @@ class MujocoForecaster : public Forecaster {
   /// Objects keep their last pose once the simulation stops being finite. Throws std::invalid_argument for what
   /// observe_bodies() refuses, and std::runtime_error with MuJoCo's words when it refuses the scene.
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) override;
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>& tracks = {}) override;
 };
 
 }  // namespace rigidformer

@@ -39,7 +39,6 @@ BodyState state_from_two_poses(const ObservedBody& body, const ObjectState& obje
 }
 
 ObservedBody observe_body(const ObjectState& object, const RolloutOptions& rollout, const Decomposition& decompose) {
-  require(object.mode != MotionMode::kKinematic, "object '" + object.id + "' is kinematic, which is not simulated");
   require(
       object.points_reference.rows() >= 4,
       "object '" + object.id + "' has " + std::to_string(object.points_reference.rows()) + " points, needs at least 4");
@@ -49,9 +48,8 @@ ObservedBody observe_body(const ObjectState& object, const RolloutOptions& rollo
   const MeshVolume measured = measure_volume(body.parts);
   body.T_reference_body.translation = measured.centroid;
   for (ConvexPart& part : body.parts) part.vertices.rowwise() -= measured.centroid.transpose().cast<float>();
-  body.is_static = object.mode == MotionMode::kStatic;
+  body.is_given = object.mode != MotionMode::kDynamic;
   body.state = state_from_two_poses(body, object, rollout);
-  if (body.is_static) body.state = {body.state.T_world_object, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   body.properties = with_means(object.properties, measured.volume_m3);
   return body;
 }
@@ -68,6 +66,17 @@ std::vector<ObservedBody> observe_bodies(const std::vector<ObjectState>& objects
   std::vector<ObservedBody> bodies;
   for (const ObjectState& object : objects) bodies.push_back(observe_body(object, rollout, decompose));
   return bodies;
+}
+
+MotionPath given_path(const ObservedBody& body, const std::vector<RigidTransform>& T_world_reference,
+                      const RolloutOptions& rollout) {
+  std::vector<RigidTransform> poses;
+  for (const RigidTransform& T : T_world_reference) poses.push_back(on_ground(T, body, rollout));
+  return [poses, step_s = rollout.time_step_s](double time_s) {
+    const double step = std::clamp(time_s / step_s, 0.0, static_cast<double>(poses.size() - 1));
+    const auto before = static_cast<std::size_t>(step), after = std::min(before + 1, poses.size() - 1);
+    return interpolate(poses[before], poses[after], step - static_cast<double>(before));
+  };
 }
 
 RigidTransform reference_pose(const ObservedBody& body, const RigidTransform& T_ground_body,

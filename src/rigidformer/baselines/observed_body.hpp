@@ -18,7 +18,7 @@ struct ObservedBody {
   RigidTransform T_reference_body;
   BodyState state;            ///< At the current observation
   BodyProperties properties;  ///< Complete
-  bool is_static = false;
+  bool is_given = false;      ///< Nothing pushes it: static or kinematic
 };
 
 /// Makes convex parts of a cloud that spans a volume.
@@ -34,10 +34,14 @@ std::vector<ConvexPart> one_hull(const Points& points);
 /// - Velocity and spin: from the two poses. Gravity is taken to have acted between them, except on objects that touch
 ///   the floor in both.
 /// - Unknown material: the means of the MOVi scenes, as for the engine inside of the network.
-/// - Static objects have no velocity.
-/// Throws std::invalid_argument for a bad rollout, no ground, fewer than 4 points, or a kinematic object.
+/// - Static and kinematic objects are moved by their path: see given_path().
+/// Throws std::invalid_argument for a bad rollout, no ground, or fewer than 4 points.
 std::vector<ObservedBody> observe_bodies(const std::vector<ObjectState>& objects, const RolloutOptions& rollout,
                                          const Decomposition& decompose = one_hull);
+
+/// The path, relative to the ground, of a body whose reference frame is at these poses after every step.
+MotionPath given_path(const ObservedBody& body, const std::vector<RigidTransform>& T_world_reference,
+                      const RolloutOptions& rollout);
 
 /// T_world_reference of a body whose pose relative to the ground is `T_ground_body`.
 RigidTransform reference_pose(const ObservedBody& body, const RigidTransform& T_ground_body,

@@ -181,8 +181,10 @@ void unpack_objects(const Reader& reader, int num_frames, SceneArchive& archive)
   const auto mass = reader.values<double>("object_mass", TensorType::kFloat64, {n});
   const auto friction = reader.values<double>("object_friction", TensorType::kFloat64, {n});
   const auto restitution = reader.values<double>("object_restitution", TensorType::kFloat64, {n});
-  std::vector<std::int32_t> is_static(scene.size(), 0);
-  if (reader.has("object_static")) is_static = reader.indices("object_static", n, 2);
+  const auto flags = [&](const char* name) {
+    return reader.has(name) ? reader.indices(name, n, 2) : std::vector<std::int32_t>(scene.size(), 0);
+  };
+  const std::vector<std::int32_t> is_static = flags("object_static"), is_driven = flags("object_driven");
   const auto poses = reader.values<float>("poses", TensorType::kFloat32, {n, num_frames, kPoseSize});
   for (std::size_t i = 0; i < scene.size(); ++i) {
     if (!(size[i] > 0.0) || std::isinf(size[i])) reader.fail_here("object_size = " + std::to_string(size[i]));
@@ -192,6 +194,10 @@ void unpack_objects(const Reader& reader, int num_frames, SceneArchive& archive)
     object.properties = {known(reader, "object_mass", mass[i]), known(reader, "object_friction", friction[i]),
                          known(reader, "object_restitution", restitution[i])};
     object.is_static = is_static[i] == 1;
+    object.is_driven = is_driven[i] == 1;
+    if (object.is_static && object.is_driven) {
+      reader.fail_here("object " + std::to_string(i) + " is static and driven");
+    }
     SceneRecording& recording = archive.scenes[static_cast<std::size_t>(scene[i])];
     object.T_world_object =
         unpack_poses(reader, poses.data() + i * static_cast<std::size_t>(num_frames) * kPoseSize, recording.num_frames);

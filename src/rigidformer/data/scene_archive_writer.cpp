@@ -40,7 +40,7 @@ void pack_shapes(const SceneArchive& archive, TensorFile& file) {
 
 /// The columns of the object table while they grow.
 struct ObjectColumns {
-  std::vector<std::int32_t> scene, shape, is_static;
+  std::vector<std::int32_t> scene, shape, is_static, is_driven;
   std::vector<double> size, mass, friction, restitution;
   std::vector<float> poses;
 
@@ -54,6 +54,7 @@ struct ObjectColumns {
     friction.push_back(object.properties.friction.value_or(kUnknown));
     restitution.push_back(object.properties.restitution.value_or(kUnknown));
     is_static.push_back(object.is_static ? 1 : 0);
+    is_driven.push_back(object.is_driven ? 1 : 0);
     for (std::size_t frame = 0; frame < static_cast<std::size_t>(num_frames); ++frame) {
       const RigidTransform& T = object.T_world_object[std::min(frame, object.T_world_object.size() - 1)];
       for (int i = 0; i < 3; ++i) poses.push_back(static_cast<float>(T.translation[i]));
@@ -83,10 +84,11 @@ bool has_other_lengths(const SceneArchive& archive) {
                      [&](const SceneRecording& scene) { return scene.num_frames != archive.scenes[0].num_frames; });
 }
 
-bool has_static_objects(const SceneArchive& archive) {
-  return std::any_of(archive.scenes.begin(), archive.scenes.end(), [](const SceneRecording& scene) {
+/// Whether a flag of any object is set.
+bool has(const SceneArchive& archive, bool RecordedObject::*flag) {
+  return std::any_of(archive.scenes.begin(), archive.scenes.end(), [&](const SceneRecording& scene) {
     return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [](const RecordedObject& object) { return object.is_static; });
+                       [&](const RecordedObject& object) { return object.*flag; });
   });
 }
 
@@ -96,8 +98,9 @@ bool has_movi_ground(const SceneRecording& scene) { return scene.ground == Scene
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 int version_of(const SceneArchive& archive) {
-  if (!std::all_of(archive.scenes.begin(), archive.scenes.end(), has_movi_ground)) return kVersion;
-  return has_other_lengths(archive) || has_static_objects(archive) ? kMixedVersion : kPlainVersion;
+  if (has(archive, &RecordedObject::is_driven)) return kVersion;
+  if (!std::all_of(archive.scenes.begin(), archive.scenes.end(), has_movi_ground)) return kGroundVersion;
+  return has_other_lengths(archive) || has(archive, &RecordedObject::is_static) ? kMixedVersion : kPlainVersion;
 }
 
 void pack_objects(const std::filesystem::path& path, const SceneArchive& archive, TensorFile& file) {
@@ -123,8 +126,11 @@ void pack_objects(const std::filesystem::path& path, const SceneArchive& archive
   file.tensors["object_mass"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.mass);
   file.tensors["object_friction"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.friction);
   file.tensors["object_restitution"] = make_raw_tensor(TensorType::kFloat64, {n}, columns.restitution);
-  if (has_static_objects(archive)) {
+  if (has(archive, &RecordedObject::is_static)) {
     file.tensors["object_static"] = make_raw_tensor(TensorType::kInt32, {n}, columns.is_static);
+  }
+  if (has(archive, &RecordedObject::is_driven)) {
+    file.tensors["object_driven"] = make_raw_tensor(TensorType::kInt32, {n}, columns.is_driven);
   }
   file.tensors["poses"] = make_raw_tensor(TensorType::kFloat32, {n, num_frames, kPoseSize}, columns.poses);
 }

@@ -5,15 +5,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "given_poses.hpp"
+
 namespace rigidformer {
 namespace {
 
 std::vector<RigidTransform> fly(const ObjectState& object, const RolloutOptions& rollout) {
-  if (object.mode == MotionMode::kStatic) {
-    return std::vector<RigidTransform>(rollout.num_steps + 1, object.T_world_current);
-  }
-  const double gravity = object.mode == MotionMode::kDynamic ? rollout.gravity : 0.0;
-  const Eigen::Vector3d fall_per_step(0.0, 0.0, gravity * rollout.time_step_s * rollout.time_step_s);
+  const Eigen::Vector3d fall_per_step(0.0, 0.0, rollout.gravity * rollout.time_step_s * rollout.time_step_s);
   const Eigen::Quaterniond turn = object.T_world_current.rotation * object.T_world_previous.rotation.conjugate();
   Eigen::Vector3d increment = object.T_world_current.translation - object.T_world_previous.translation;
   std::vector<RigidTransform> poses{object.T_world_current};
@@ -27,7 +25,8 @@ std::vector<RigidTransform> fly(const ObjectState& object, const RolloutOptions&
 }  // namespace
 
 std::vector<std::vector<RigidTransform>> BallisticForecaster::forecast(const std::vector<ObjectState>& objects,
-                                                                       const RolloutOptions& rollout) {
+                                                                       const RolloutOptions& rollout,
+                                                                       const std::vector<GivenTrack>& tracks) {
   if (rollout.num_steps < 1) {
     throw std::invalid_argument("ballistic: num_steps is " + std::to_string(rollout.num_steps) +
                                 ", must be at least 1");
@@ -38,7 +37,7 @@ std::vector<std::vector<RigidTransform>> BallisticForecaster::forecast(const std
   }
   std::vector<std::vector<RigidTransform>> poses;
   for (const ObjectState& object : objects) {
-    poses.push_back(fly(object, rollout));
+    poses.push_back(object.mode == MotionMode::kDynamic ? fly(object, rollout) : given_poses(object, rollout, tracks));
   }
   return poses;
 }

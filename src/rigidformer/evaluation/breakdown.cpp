@@ -49,7 +49,7 @@ void Breakdown::add(const SceneResult& result) {
   const RoundKey key = key_of(result);
   const std::vector<RecordedObject>& objects = result.scene->objects;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (objects[i].is_static) continue;  // nobody predicts it
+    if (objects[i].is_given()) continue;  // nobody predicts it
     by_shape_[key][objects[i].shape].push_back(result.object_at_horizon.back().at(i));
   }
   by_num_objects_[key][static_cast<int>(objects.size())].push_back(result.at_horizon.back());

@@ -19,7 +19,8 @@ class LengthScaledForecaster : public Forecaster {
   std::string name() const override { return forecaster_.name(); }
 
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) override;
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>& tracks = {}) override;
 
  private:
   Forecaster& forecaster_;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "rigidformer/io/gnuplot.hpp"
+#include "rollout_round.hpp"
 
 namespace rigidformer {
 namespace {
@@ -81,7 +82,8 @@ bool draw_movie(const std::filesystem::path& gif, const SceneRecording& scene, c
   rollout.ground = observed_ground(scene, observer.options());
   rollout.control = commands_of_steps(scene, options.start + options.step, options.step, options.num_steps);
   const auto objects = observer.observe(scene, options.start + options.step, options.step);
-  const auto forecast = forecaster.forecast(objects, rollout);
+  const auto forecast =
+      forecaster.forecast(objects, rollout, recorded_tracks(scene, objects, options.start + options.step));
   std::ostringstream script;
   const auto [middle, half_side_m] = shown_square(scene, options.start, last_frame);
   script << header(gif, options, middle, half_side_m);

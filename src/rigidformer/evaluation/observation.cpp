@@ -142,7 +142,9 @@ std::vector<ObjectState> Observer::observe(const SceneRecording& scene, int fram
     const RecordedObject& recorded = scene.objects[i];
     ObjectState object;
     object.id = recorded.shape + "_" + std::to_string(i);
-    object.mode = recorded.is_static ? MotionMode::kStatic : MotionMode::kDynamic;
+    object.mode = recorded.is_static   ? MotionMode::kStatic
+                  : recorded.is_driven ? MotionMode::kKinematic
+                                       : MotionMode::kDynamic;
     const std::string place = scene.name + "/" + std::to_string(i) + "/" + std::to_string(frame);
     object.points_reference = observed_points(recorded, frame, stable_hash(place));
     object.T_world_previous = recorded.T_world_object[frame - step];

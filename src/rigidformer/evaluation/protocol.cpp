@@ -26,7 +26,7 @@ void require_each(const std::vector<int>& values, const std::string& field, int 
 
 bool something_moves(const SceneRecording& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const RecordedObject& object) { return !object.is_static; });
+                     [](const RecordedObject& object) { return !object.is_given(); });
 }
 
 /// Frames that a scene must have to be scored from `start`.

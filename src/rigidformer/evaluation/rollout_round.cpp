@@ -53,6 +53,15 @@ bool lies_still(const PoseList& poses, int first, int last) {
   return stays(poses, first, last, kStill_m, kStill_rad);
 }
 
+/// Those that somebody has to predict.
+std::vector<std::size_t> free_objects(const SceneRecording& scene) {
+  std::vector<std::size_t> objects;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!scene.objects[i].is_given()) objects.push_back(i);
+  }
+  return objects;
+}
+
 template <typename T>
 std::vector<T> select(const std::vector<T>& values, const std::vector<std::size_t>& objects) {
   std::vector<T> selected;
@@ -78,11 +87,23 @@ int steps_to_last_horizon(const ProtocolOptions& options, const SceneRecording& 
 std::vector<std::size_t> objects_to_score(const SceneRecording& scene, const ProtocolOptions& options, int start) {
   const int last = start + static_cast<int>(std::ceil(last_horizon_frames(options, scene)));
   std::vector<std::size_t> objects;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (scene.objects[i].is_static) continue;  // nobody predicts it
+  for (const std::size_t i : free_objects(scene)) {
     if (!options.resting_only || lies_still(scene.objects[i].T_world_object, start, last)) objects.push_back(i);
   }
   return objects;
+}
+
+std::vector<GivenTrack> recorded_tracks(const SceneRecording& scene, const std::vector<ObjectState>& objects, int now) {
+  std::vector<GivenTrack> tracks;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!scene.objects[i].is_driven) continue;
+    GivenTrack track;
+    track.id = objects[i].id;
+    track.T_world_reference = scene.objects[i].T_world_object;
+    for (int frame = 0; frame < scene.num_frames; ++frame) track.times_s.push_back((frame - now) / scene.frame_rate_hz);
+    tracks.push_back(std::move(track));
+  }
+  return tracks;
 }
 
 std::map<std::string, double> largest_extents(const std::vector<Shape>& shapes) {
@@ -129,13 +150,15 @@ int RolloutRound::steps_of_rollout(const SceneRecording& scene) const {
 
 void RolloutRound::add_curve(SceneResult& result) const {
   const SceneRecording& scene = *result.scene;
+  const std::vector<std::size_t> free = free_objects(scene);
   const bool in_frames = options_.horizon_unit == HorizonUnit::kFrames;
   const int stride = in_frames ? step_ : kCurveStep_ms;
   for (int horizon = stride; horizon <= options_.curve_end; horizon += stride) {
     const double frames = frames_of(horizon, options_, scene);
     if (frames > scene.num_frames - 1 - start_) return;
     if (frames < step_) continue;  // before the second given frame
-    result.curve[horizon] = scene_error(predicted_at(result, frames), recorded_at(scene, frames), sizes(scene));
+    result.curve[horizon] = scene_error(select(predicted_at(result, frames), free),
+                                        select(recorded_at(scene, frames), free), select(sizes(scene), free));
   }
 }
 
@@ -164,8 +187,9 @@ SceneResult RolloutRound::add_scene(const std::string& set, const SceneRecording
   rollout.ground = observed_ground(scene, options_.observation);
   rollout.control = commands_of_steps(scene, start_ + step_, step_, rollout.num_steps);
   SceneResult result{forecaster.name(), set, start_, step_, &scene, {}, {}, {}, {}};
+  const std::vector<GivenTrack> tracks = recorded_tracks(scene, objects, start_ + step_);
   const auto begin = std::chrono::steady_clock::now();
-  result.predicted = forecaster.forecast(objects, rollout);
+  result.predicted = forecaster.forecast(objects, rollout, tracks);
   compute_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   predicted_s_ += rollout.num_steps * rollout.time_step_s;
   const std::vector<double> sizes_m = sizes(scene);

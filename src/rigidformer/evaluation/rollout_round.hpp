@@ -20,6 +20,9 @@ int steps_to_last_horizon(const ProtocolOptions& options, const SceneRecording& 
 /// Indices of the objects whose errors count.
 std::vector<std::size_t> objects_to_score(const SceneRecording& scene, const ProtocolOptions& options, int start);
 
+/// What the driven objects do, of which `objects` are the observations at frame `now`: a planner knows it.
+std::vector<GivenTrack> recorded_tracks(const SceneRecording& scene, const std::vector<ObjectState>& objects, int now);
+
 /// Largest extent of every shape at size 1 [m], by name.
 std::map<std::string, double> largest_extents(const std::vector<Shape>& shapes);
 

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "bullet_conversion.hpp"
+#include "motion_path.hpp"
+#include "telling_solver.hpp"
 
 namespace rigidformer {
 namespace {
@@ -30,6 +32,8 @@ double require_known(const char* field, const std::optional<double>& value) {
 struct Body {
   std::shared_ptr<const CollisionShape> shape;
   std::unique_ptr<btRigidBody> body;
+  MotionPath path = {};  ///< Empty = none is followed
+  long path_start = 0;   ///< Solver steps of the world before it
 };
 
 std::unique_ptr<btConvexHullShape> make_hull(const ConvexPart& part, double size, double margin) {
@@ -72,40 +76,6 @@ struct OverlapCallback : btCollisionWorld::ContactResultCallback {
                            const btCollisionObjectWrapper*, int, int) override {
     overlap = overlap || point.getDistance() <= 0;
     return 0;
-  }
-};
-
-/// Bullet's solver, which tells what bodies press on each other. Contact points know it only with warm starting, which
-/// would change the motion.
-class TellingSolver : public btSequentialImpulseConstraintSolver {
- public:
-  std::vector<PressedBodies> pressed;  ///< Sums since it was cleared
-
- protected:
-  btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
-                                         const btContactSolverInfo& info) override {
-    const auto index = [&](int solver_body) {
-      const btRigidBody* body = m_tmpSolverBodyPool[solver_body].m_originalBody;  // null for what never moves
-      return body == nullptr ? -1 : body->getUserIndex();
-    };
-    for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i) {
-      const btSolverConstraint& contact = m_tmpSolverContactConstraintPool[i];
-      add(index(contact.m_solverBodyIdA), index(contact.m_solverBodyIdB), contact.m_appliedImpulse);
-    }
-    return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, num_bodies, info);
-  }
-
- private:
-  void add(int first, int second, double impulse_Ns) {
-    if (!(impulse_Ns > 0.0)) return;
-    const int a = std::max(first, second), b = std::min(first, second);
-    const auto is_pair = [&](const PressedBodies& pair) { return pair.body_a == a && pair.body_b == b; };
-    const auto known = std::find_if(pressed.begin(), pressed.end(), is_pair);
-    if (known != pressed.end()) {
-      known->normal_impulse_Ns += impulse_Ns;
-    } else {
-      pressed.push_back({a, b, impulse_Ns});
-    }
   }
 };
 
@@ -169,6 +139,7 @@ struct BulletWorld::Impl {
   }
 
   std::vector<Body> bodies;
+  long steps_done = 0;  ///< Of the solver
 };
 
 void BulletSettings::validate() const {
@@ -226,6 +197,25 @@ int BulletWorld::add_driven_body(std::shared_ptr<const CollisionShape> shape, Bo
   return body;
 }
 
+void BulletWorld::follow(int body, MotionPath path) {
+  Body& follower = impl_->bodies.at(static_cast<std::size_t>(body));
+  follower.path = std::move(path);
+  follower.path_start = impl_->steps_done;
+  btBroadphaseProxy& proxy = *follower.body->getBroadphaseProxy();
+  proxy.m_collisionFilterGroup = btBroadphaseProxy::StaticFilter;
+  proxy.m_collisionFilterMask = btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter;
+  go_on_paths();
+}
+
+/// Takes what follows a path to where that is, on its way to where it will be.
+void BulletWorld::go_on_paths() {
+  const double step_s = 1.0 / (impl_->settings.frame_rate_hz * impl_->settings.substeps);
+  for (int i = 0; i < num_bodies(); ++i) {
+    const Body& body = impl_->bodies[static_cast<std::size_t>(i)];
+    if (body.path) set_state(i, state_on(body.path, step_s * (impl_->steps_done - body.path_start), step_s));
+  }
+}
+
 void BulletWorld::remove_last_body() {
   if (impl_->bodies.empty()) throw std::invalid_argument("remove_last_body: the world has no bodies");
   impl_->world.removeRigidBody(impl_->bodies.back().body.get());
@@ -270,6 +260,8 @@ void BulletWorld::step_frame() {
   for (int i = 0; i < impl_->settings.substeps; ++i) {
     impl_->world.stepSimulation(static_cast<btScalar>(time_step_s), 0);
     impl_->keep_awake();
+    ++impl_->steps_done;
+    go_on_paths();
   }
 }
 

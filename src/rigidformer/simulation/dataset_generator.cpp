@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fixture_scene.hpp"
+#include "fixture_shapes.hpp"
 #include "parallel_progress.hpp"
 #include "rigidformer/data/kubasic.hpp"
 #include "rigidformer/data/kubric.hpp"
@@ -29,6 +31,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kScenesPerShard = 100;  // scenes of one archive, which a stopped run can lose; chosen by eye
+// Of scenes with fixtures: with their slabs, no scene has many more objects than one without. Chosen by eye.
+constexpr int kMinObjects = 2, kMaxObjects = 6;
+constexpr std::uint64_t kMostAttempts = 50;  // to draw such a scene; chosen by eye
 constexpr char kGenerationFile[] = "generation.json";
 constexpr char kBullet[] = "bullet", kMujoco[] = "mujoco", kMovi[] = "movi", kVaried[] = "varied";
 
@@ -57,6 +62,7 @@ void claim_folder(const DatasetOptions& options, const std::vector<Shape>& shape
                  {"shapes_sha256", fingerprint(shapes)}};
   if (options.engine != kBullet) wanted["engine"] = options.engine;
   if (options.contacts != kMovi) wanted["contacts"] = options.contacts;
+  if (options.fixtures) wanted["fixtures"] = true;
   fs::create_directories(options.output);
   const fs::path path = options.output / kGenerationFile;
   if (!fs::exists(path)) {
@@ -109,7 +115,12 @@ void require_one_of(const char* field, const std::string& value, const std::stri
 class DatasetGenerator {
  public:
   DatasetGenerator(const DatasetOptions& options, std::vector<Shape> shapes, std::ostream& log)
-      : options_(options), shapes_(std::move(shapes)), progress_(options.num_scenes, log) {}
+      : options_(options),
+        shapes_(std::move(shapes)),
+        num_free_shapes_(static_cast<std::ptrdiff_t>(shapes_.size())),
+        progress_(options.num_scenes, log) {
+    if (options.fixtures) shapes_.insert(shapes_.end(), fixture_shapes().begin(), fixture_shapes().end());
+  }
 
   void write_shards() {
     for (int first = 0; first < options_.num_scenes; first += kScenesPerShard) {
@@ -149,26 +160,54 @@ class DatasetGenerator {
   SceneRecording generate(int index) const {
     const MoviOptions& movi = options_.movi;
     const auto i = static_cast<std::uint64_t>(index);
+    if (options_.fixtures) return generate_with_fixtures(i);
     if (options_.engine == kBullet && options_.contacts == kMovi) {
       return generate_scene(options_.set, shapes_, options_.seed, i, movi);
     }
+    return move({sample(i, movi), {}});
+  }
+
+  VariedScene sample(std::uint64_t index, const MoviOptions& movi) const {
     const MoviSet set = parse_movi_set(options_.set);
-    VariedScene scene{{}, movi_bullet_settings(set), {}};
-    if (options_.contacts == kVaried) {
-      scene = sample_varied_scene(set, shapes_, options_.seed, i, movi);
-    } else {
-      scene.start = sample_movi_scene(set, shapes_, options_.seed, i, movi);
-    }
+    const std::vector<Shape> shapes(shapes_.begin(), shapes_.begin() + num_free_shapes_);
+    if (options_.contacts == kVaried) return sample_varied_scene(set, shapes, options_.seed, index, movi);
+    return {sample_movi_scene(set, shapes, options_.seed, index, movi), movi_bullet_settings(set), {}};
+  }
+
+  SceneRecording move(const FixtureScene& made) const {
+    const MoviOptions& movi = options_.movi;
+    const SceneRecording& start = made.scene.start;
 #ifdef RIGIDFORMER_HAS_MUJOCO
     if (options_.engine == kMujoco) {
-      return simulate(scene.start, shapes_, scene.mujoco, movi.num_frames, movi.first_frame);
+      return simulate(start, shapes_, made.scene.mujoco, movi.num_frames, movi.first_frame, made.paths);
     }
 #endif
-    return simulate(scene.start, shapes_, scene.bullet, movi.num_frames, movi.first_frame);
+    return simulate(start, shapes_, made.scene.bullet, movi.num_frames, movi.first_frame, made.paths);
+  }
+
+  /// A scene is drawn anew where nothing finds room, or where a driver presses an object into something, which no
+  /// engine survives.
+  SceneRecording generate_with_fixtures(std::uint64_t index) const {
+    MoviOptions movi = options_.movi;
+    movi.min_objects = kMinObjects;
+    movi.max_objects = kMaxObjects;
+    const VariedScene free = sample(index, movi);
+    std::string reason = "an object was squeezed out";
+    for (std::uint64_t attempt = 0; attempt < kMostAttempts; ++attempt) {
+      try {
+        const double duration_s = movi.num_frames / free.bullet.frame_rate_hz;
+        const SceneRecording made = move(add_fixtures(free, shapes_, options_.seed, index, attempt, duration_s));
+        if (is_calm(made, free.scale)) return made;
+      } catch (const std::runtime_error& error) {
+        reason = error.what();
+      }
+    }
+    throw std::runtime_error("scene " + std::to_string(index) + " with fixtures: " + reason);
   }
 
   const DatasetOptions& options_;
-  std::vector<Shape> shapes_;
+  std::vector<Shape> shapes_;  ///< Of the free objects, then those of fixtures and drivers
+  std::ptrdiff_t num_free_shapes_;
   Progress progress_;
 };
 
@@ -193,9 +232,10 @@ void DatasetOptions::validate() const {
 #ifndef RIGIDFORMER_HAS_MUJOCO
   if (engine == kMujoco) throw std::runtime_error("mujoco is not built in: install libmujoco-dev and build again");
 #endif
-  if ((engine != kBullet || contacts != kMovi) && !draws_from_library(set)) {
-    throw std::invalid_argument("set '" + set + "' is made by bullet with its own contacts only");
+  if ((engine != kBullet || contacts != kMovi || fixtures) && !draws_from_library(set)) {
+    throw std::invalid_argument("set '" + set + "' is made by bullet with its own contacts and without fixtures only");
   }
+  if (format == "kubric" && fixtures) throw std::invalid_argument("format 'kubric' has no place for driven bodies");
   if (format == "kubric" && has_commands(set)) {
     throw std::invalid_argument("format 'kubric' has no place for the commands of set " + set);
   }

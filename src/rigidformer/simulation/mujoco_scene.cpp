@@ -16,6 +16,7 @@ namespace {
 // Room for the contacts of ten objects of many parts each, and their rows, whose square is the memory that MuJoCo asks
 // for (288 MB of addresses, of which it touches what it uses). Chosen by eye; what is beyond is left out by MuJoCo.
 constexpr std::size_t kMostContacts = 2000, kMostRows = 6000;
+constexpr double kDrivenMass_kg = 1e6;  // so heavy that objects of a scene cannot push it, as in Bullet; by eye
 
 /// One side of a pair, as contacts see it.
 struct Surface {
@@ -41,6 +42,8 @@ void write_meshes(std::ostream& xml, std::size_t i, const MujocoBody& body) {
   }
 }
 
+double mass_of(const MujocoBody& body) { return body.path ? kDrivenMass_kg : *body.properties.mass_kg; }
+
 /// Inertia of a body of one density about its origin; volume where parts overlap counts twice.
 Eigen::Matrix3d inertia(const MujocoBody& body) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -50,13 +53,19 @@ Eigen::Matrix3d inertia(const MujocoBody& body) {
     sum += of_part * inertia_per_mass(part);
     volume_m3 += of_part;
   }
-  return *body.properties.mass_kg / volume_m3 * sum;
+  return mass_of(body) / volume_m3 * sum;
 }
 
 void write_body(std::ostream& xml, std::size_t i, const MujocoBody& body) {
-  const Eigen::Matrix3d I = inertia(body);
-  xml << "<body><freejoint/><inertial pos='0 0 0' mass='" << *body.properties.mass_kg << "' fullinertia='" << I(0, 0)
-      << ' ' << I(1, 1) << ' ' << I(2, 2) << ' ' << I(0, 1) << ' ' << I(0, 2) << ' ' << I(1, 2) << "'/>\n";
+  if (body.is_static) {
+    const Eigen::Quaterniond& q = body.state.T_world_object.rotation;
+    xml << "<body pos='" << body.state.T_world_object.translation.transpose() << "' quat='" << q.w() << ' ' << q.x()
+        << ' ' << q.y() << ' ' << q.z() << "'>\n";
+  } else {
+    const Eigen::Matrix3d I = inertia(body);
+    xml << "<body><freejoint/><inertial pos='0 0 0' mass='" << mass_of(body) << "' fullinertia='" << I(0, 0) << ' '
+        << I(1, 1) << ' ' << I(2, 2) << ' ' << I(0, 1) << ' ' << I(0, 2) << ' ' << I(1, 2) << "'/>\n";
+  }
   for (std::size_t p = 0; p < body.parts.size(); ++p) {
     xml << "<geom name='" << geom_name(i, p) << "' type='mesh' mesh='mesh" << i << '_' << p << "'/>\n";
   }
@@ -86,10 +95,11 @@ void write_pairs(std::ostream& xml, const std::vector<MujocoBody>& bodies, const
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Surface own = surface_of(bodies[i]);
     const std::string on_floor = pair_attributes(floor, own, settings);
-    for (std::size_t p = 0; p < bodies[i].parts.size(); ++p) {
+    for (std::size_t p = 0; p < bodies[i].parts.size() && !bodies[i].is_given(); ++p) {
       xml << "<pair geom1='floor' geom2='" << geom_name(i, p) << "' " << on_floor << "/>\n";
     }
     for (std::size_t j = 0; j < i; ++j) {
+      if (bodies[i].is_given() && bodies[j].is_given()) continue;
       const std::string attributes = pair_attributes(surface_of(bodies[j]), own, settings);
       for (std::size_t q = 0; q < bodies[j].parts.size(); ++q) {
         for (std::size_t p = 0; p < bodies[i].parts.size(); ++p) {

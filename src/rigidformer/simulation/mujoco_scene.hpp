@@ -9,8 +9,9 @@
 
 namespace rigidformer {
 
-/// Writes the bodies above a floor plane z = 0 as a MuJoCo model in XML. Body i has the joint coordinates
-/// 7 i ... 7 i + 6. Geoms touch only in the pairs that are listed.
+/// Writes the bodies above a floor plane z = 0 as a MuJoCo model in XML, body i with the id i + 1. All but the static
+/// ones have a free joint. Geoms touch only in the pairs that are listed; what nothing can push (static or on a path)
+/// is in none with the floor or its like.
 std::string mujoco_scene(const std::vector<MujocoBody>& bodies, const MujocoSettings& settings);
 
 }  // namespace rigidformer

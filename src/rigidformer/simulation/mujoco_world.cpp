@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "motion_path.hpp"
 #include "mujoco_scene.hpp"
 
 namespace rigidformer {
@@ -45,17 +46,26 @@ ModelPtr compile(const std::string& xml) {
 void require_complete(const MujocoBody& body) {
   const BodyProperties& p = body.properties;
   if (body.parts.empty()) throw std::invalid_argument("mujoco: a body has no parts");
-  if (!p.mass_kg || !p.friction || !p.restitution) {
+  if ((!p.mass_kg && !body.is_given()) || !p.friction || !p.restitution) {
     throw std::invalid_argument("mujoco: mass_kg, friction and restitution must be known");
   }
 }
 
-/// Sets the state of a body. MuJoCo wants the velocity of the body's origin in world and the spin in the body's frame.
-void set_state(mjData& data, std::size_t i, const BodyState& state) {
+/// Sets the state of a body whose joint is number `joint`. MuJoCo wants the velocity of the body's origin in world and
+/// the spin in the body's frame.
+void set_state(mjData& data, int joint, const BodyState& state) {
   const RigidTransform& T = state.T_world_object;
   const Eigen::Quaterniond& q = T.rotation;
-  Eigen::Map<Eigen::Matrix<double, 7, 1>>(data.qpos + 7 * i) << T.translation, q.w(), q.x(), q.y(), q.z();
-  Eigen::Map<Eigen::Matrix<double, 6, 1>>(data.qvel + 6 * i) << state.velocity, q.conjugate() * state.angular_velocity;
+  Eigen::Map<Eigen::Matrix<double, 7, 1>>(data.qpos + 7 * joint) << T.translation, q.w(), q.x(), q.y(), q.z();
+  Eigen::Map<Eigen::Matrix<double, 6, 1>>(data.qvel + 6 * joint) << state.velocity,
+      q.conjugate() * state.angular_velocity;
+}
+
+/// Gravity does not act on body `id`.
+void hold_up(const mjModel& model, mjData& data, int id) {
+  for (int axis = 0; axis < 3; ++axis) {
+    data.xfrc_applied[6 * id + axis] = -model.body_mass[id] * model.opt.gravity[axis];
+  }
 }
 
 }  // namespace
@@ -64,7 +74,9 @@ struct MujocoWorld::Impl {
   ModelPtr model;
   DataPtr data;
   int substeps;
-  int num_bodies;
+  std::vector<MujocoBody> bodies;  ///< Without their parts
+  std::vector<int> joints;         ///< Number of every body's joint, -1 = it has none
+  long steps_done = 0;
 };
 
 void MujocoSettings::validate() const {
@@ -84,8 +96,15 @@ MujocoWorld::MujocoWorld(const MujocoSettings& settings, const std::vector<Mujoc
   for (const MujocoBody& body : bodies) require_complete(body);
   ModelPtr model = compile(mujoco_scene(bodies, settings));
   DataPtr data(mj_makeData(model.get()));
-  impl_.reset(new Impl{std::move(model), std::move(data), settings.substeps, static_cast<int>(bodies.size())});
-  for (std::size_t i = 0; i < bodies.size(); ++i) set_state(*impl_->data, i, bodies[i].state);
+  impl_.reset(new Impl{std::move(model), std::move(data), settings.substeps, bodies, {}});
+  int num_joints = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    impl_->bodies[i].parts.clear();
+    impl_->joints.push_back(bodies[i].is_static ? -1 : num_joints++);
+    if (!bodies[i].is_static) set_state(*impl_->data, impl_->joints[i], bodies[i].state);
+    if (bodies[i].path) hold_up(*impl_->model, *impl_->data, static_cast<int>(i) + 1);
+  }
+  go_on_paths();
 }
 MujocoWorld::~MujocoWorld() = default;
 MujocoWorld::MujocoWorld(MujocoWorld&&) noexcept = default;
@@ -107,11 +126,13 @@ void MujocoWorld::accept_overlaps() {
   }
 }
 
-int MujocoWorld::num_bodies() const { return impl_->num_bodies; }
+int MujocoWorld::num_bodies() const { return static_cast<int>(impl_->bodies.size()); }
 
 BodyState MujocoWorld::state(int body) const {
-  const double* q = impl_->data->qpos + 7 * body;
-  const double* v = impl_->data->qvel + 6 * body;
+  const int joint = impl_->joints.at(static_cast<std::size_t>(body));
+  if (joint < 0) return {impl_->bodies[static_cast<std::size_t>(body)].state.T_world_object};
+  const double* q = impl_->data->qpos + 7 * joint;
+  const double* v = impl_->data->qvel + 6 * joint;
   BodyState state;
   state.T_world_object = {Eigen::Quaterniond(q[3], q[4], q[5], q[6]).normalized(), {q[0], q[1], q[2]}};
   state.velocity = {v[0], v[1], v[2]};
@@ -120,7 +141,20 @@ BodyState MujocoWorld::state(int body) const {
 }
 
 void MujocoWorld::step_frame() {
-  for (int i = 0; i < impl_->substeps && !has_diverged(); ++i) mj_step(impl_->model.get(), impl_->data.get());
+  for (int i = 0; i < impl_->substeps && !has_diverged(); ++i) {
+    mj_step(impl_->model.get(), impl_->data.get());
+    ++impl_->steps_done;
+    go_on_paths();
+  }
+}
+
+/// Takes what follows a path to where that is, on its way to where it will be.
+void MujocoWorld::go_on_paths() {
+  const double step_s = impl_->model->opt.timestep;
+  for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+    const MotionPath& path = impl_->bodies[i].path;
+    if (path) set_state(*impl_->data, impl_->joints[i], state_on(path, step_s * impl_->steps_done, step_s));
+  }
 }
 
 /// MuJoCo resets a scene whose numbers stopped being finite, and counts a warning.

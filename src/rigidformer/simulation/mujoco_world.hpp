@@ -33,8 +33,12 @@ struct MujocoSettings {
 /// A body, with its origin in its centre of mass.
 struct MujocoBody {
   std::vector<ConvexPart> parts;  ///< Body frame [m]; of one density
-  BodyProperties properties;      ///< Complete
+  BodyProperties properties;      ///< Complete, but for the mass of what cannot be pushed
   BodyState state;
+  bool is_static = false;  ///< Never moves
+  MotionPath path = {};    ///< That the body follows from time 0 on, whatever it pushes; empty = none
+
+  bool is_given() const { return is_static || path; }
 };
 
 /// Rigid bodies above the floor plane z = 0, stepped frame by frame. A world is not thread safe; worlds are independent
@@ -62,13 +66,16 @@ class MujocoWorld {
   bool has_diverged() const;
 
  private:
+  void go_on_paths();
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// Simulates `scene` from its frame 0 as the other simulate() does. The bodies' inertia is that of one density, while
-/// Bullet's is that of their box. Also throws std::runtime_error when the numbers stop being finite.
+/// Simulates `scene` from its frame 0 as the other simulate() does; every driven object needs a path. The bodies'
+/// inertia is that of one density, while Bullet's is that of their box. Also throws std::runtime_error when the numbers
+/// stop being finite.
 SceneRecording simulate(const SceneRecording& scene, const std::vector<Shape>& shapes, const MujocoSettings& settings,
-                        int num_frames, int first_frame = 0);
+                        int num_frames, int first_frame = 0, const std::vector<MotionPath>& paths = {});
 
 }  // namespace rigidformer

@@ -4,17 +4,12 @@
 
 #include <cmath>
 
-#include "rigidformer/geometry/random.hpp"
+#include "random_draws.hpp"
 
 namespace rigidformer {
 namespace {
 
 constexpr std::uint64_t kVariationStream = 0x76617279;  // apart from the stream that draws the scene; any number does
-
-/// An interval to draw from.
-struct Range {
-  double low, high;
-};
 
 // All ranges were chosen by eye. Materials: the products of object and floor, which count in a contact, then cover
 // friction 0.04 ... 1.4 and restitution 0 ... 0.9, as tables have it for pairs of real materials.
@@ -29,15 +24,6 @@ constexpr Range kTilt_rad{0.0, 0.026};                                  // of th
 constexpr double kHardShare = 0.5;  // of the scenes without spinning and rolling friction, and without softness
 constexpr Range kSpinningFriction{0.005, 0.1}, kRollingFriction{0.001, 0.03};  // of the radius
 constexpr double kMoviMargin_m = 0.001;                                        // at scale 1
-
-double draw(Random& random, Range range) { return random.uniform(range.low, range.high); }
-
-/// Uniform in the logarithm.
-double draw_magnitude(Random& random, Range range) {
-  return std::exp(random.uniform(std::log(range.low), std::log(range.high)));
-}
-
-bool draw_chance(Random& random, double probability) { return random.uniform(0.0, 1.0) < probability; }
 
 void vary_object(RecordedObject& object, double scale, Random& random) {
   const double shrinking = draw_magnitude(random, kShrinking);
@@ -95,7 +81,7 @@ VariedScene sample_varied_scene(MoviSet set, const std::vector<Shape>& shapes, s
   options.min_objects = 1;
   VariedScene varied{sample_movi_scene(set, shapes, seed, index, options), movi_bullet_settings(set), {}};
   Random random(seed ^ kVariationStream, index);
-  const double scale = draw_magnitude(random, kSceneScale);
+  const double scale = varied.scale = draw_magnitude(random, kSceneScale);
   SceneRecording& start = varied.start;
   for (RecordedObject& object : start.objects) vary_object(object, scale, random);
   start.gravity = draw_gravity(random);

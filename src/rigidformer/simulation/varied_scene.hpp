@@ -12,6 +12,7 @@ struct VariedScene {
   SceneRecording start;  ///< One frame
   BulletSettings bullet;
   MujocoSettings mujoco;
+  double scale = 1.0;  ///< Lengths through those of the MOVi sets
 };
 
 /// Draws scene `index` of `seed`: a scene of `set` with 1 ... max_objects objects, as a whole larger or smaller, with

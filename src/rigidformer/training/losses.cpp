@@ -61,7 +61,8 @@ Tensor end_velocity_loss(const LossOptions& options, const SceneBatch& batch, co
 Tensor centre_of_mass_loss(const LossOptions& options, const SceneBatch& batch, const Tensor& centre_reference) {
   const Tensor radius = bounding_radius(batch.points_reference, batch.point_mask, torch::zeros_like(centre_reference));
   const Tensor residual = centre_reference / radius.clamp_min(1e-3).unsqueeze(-1);
-  return options.centre_of_mass_weight * smooth_l1(residual.unsqueeze(2), batch.object_mask, 0.1);
+  const Tensor mask = batch.object_mask.logical_and(batch.dynamic_mask);
+  return options.centre_of_mass_weight * smooth_l1(residual.unsqueeze(2), mask, 0.1);
 }
 
 Tensor hidden_side_loss(const LossOptions& options, const WindowBatch& windows, const Tensor& hidden_points) {
@@ -92,9 +93,10 @@ Tensor window_loss(const LossOptions& options, RigidFormer& model, const WindowB
   Tensor loss = torch::zeros({}, scene.points_reference.options());
   for (size_t step = 0; step < num_steps; ++step) {
     if (!windows.controls.empty()) scene.control = windows.controls[step];
+    const Pose& truth = windows.poses[step + 2];
+    state.coming = truth;  // of what is given: a planner knows it
     // The centre of mass learns from its own loss alone: it must not be a free parameter of the motion.
     const StepPrediction prediction = model->forward(scene, state, centre.detach(), nearest_search, engine, search);
-    const Pose& truth = windows.poses[step + 2];
     loss = loss + step_loss(options, scene, prediction, truth);
     if (model->options.end_velocity_output) {
       loss = loss + end_velocity_loss(options, scene, prediction, truth, windows.departures[step]);

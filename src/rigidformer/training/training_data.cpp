@@ -87,6 +87,7 @@ void add_validation_windows(const SceneTensors& tensors, TrainingData& data) {
   add("floor impact", events.floor, &WindowOptions::floor_probability);
   add("rolling", events.rolling, &WindowOptions::rolling_probability);
   add("resting", events.resting, &WindowOptions::resting_probability);
+  add("driven", events.driven, &WindowOptions::driven_probability);
   data.validation_windows.emplace_back("any time", draw_windows(WindowOptions(), events, tensors));
 }
 
@@ -142,7 +143,7 @@ TrainingData load_training_data(const TrainingPaths& paths, const TrainingOption
   ContactEvents events = find_contact_events(tensors);
   summary << "training scenes: " << data.facts.data << "; contact frames: " << events.mid_air.size() << " mid-air, "
           << events.floor.size() << " floor, " << events.rolling.size() << " rolling, " << events.resting.size()
-          << " resting\n";
+          << " resting, " << events.driven.size() << " driven\n";
   measure_ranges(tensors, data.facts);
   measure_steps(windows, tensors, data.facts);
   data.sampler = std::make_shared<WindowSampler>(windows, std::move(events), tensors.object_counts(),

@@ -55,6 +55,7 @@ Pose roll_out(RigidFormer& model, const WindowBatch& windows, int num_steps) {
   const ContactSearch contacts = make_contact_search(model->options, scene, centre);
   for (int k = 0; k < num_steps; ++k) {
     if (!windows.controls.empty()) scene.control = windows.controls[static_cast<size_t>(k)];
+    state.coming = windows.poses[static_cast<size_t>(k) + 2];
     state = advance(scene, state, model->forward(scene, state, centre, nearest_by_distance_matrix, engine, contacts));
   }
   return state.current;
@@ -121,7 +122,7 @@ OneStepScore one_step_error(RigidFormer& model, const SceneTensors& tensors, con
       make_window_batch(tensors, windows, 1, model->options.num_anchors, no_augmentation(num_points));
   SceneBatch scene = batch.scene;
   if (!batch.controls.empty()) scene.control = batch.controls.front();
-  const SceneState state{batch.poses[0], batch.poses[0], batch.poses[1]};
+  const SceneState state{batch.poses[0], batch.poses[0], batch.poses[1], batch.poses[2]};
   const Tensor centre = model->centre_of_mass(scene, state.current);
   const StepPrediction prediction =
       model->forward(scene, state, centre, nearest_by_distance_matrix, make_engine_step(model->options, scene, centre),

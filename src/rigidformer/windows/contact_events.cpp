@@ -14,6 +14,7 @@ constexpr double kFloorDistance = 0.08;     // [m] higher than this is not the f
 constexpr double kRestingSpeed_mps = 0.03;  // recordings have no noise: what is slower does not even rock
 constexpr double kRestingSpin_radps = 0.1;  // likewise
 constexpr double kRollingSpeed = 0.15;      // [m/s]
+constexpr double kDrivenSpeed = 0.02;       // [m/s] a driven body that is slower stands; chosen by eye
 constexpr std::int64_t kLastingStride = 8;  // frames between two entries of a lasting contact
 constexpr std::int64_t kHeightPoints = 64;  // vertices looked at for the lowest point
 
@@ -71,12 +72,42 @@ std::vector<ContactEvent>* list_for(const PoseRows& poses, std::int64_t frame, s
   return speed > kRollingSpeed && on_floor() ? &events.rolling : nullptr;
 }
 
+/// Radii of the objects of a scene about their origins, [K].
+std::vector<float> radii(const SceneTensors& tensors, std::int64_t scene) {
+  const Tensor corners = tensors.shape_points.select(1, 0).index({tensors.shape[scene]});  // [K, M, 3]
+  const Tensor radius = corners.norm(2, -1).amax(-1) * tensors.size[scene];
+  return {radius.data_ptr<float>(), radius.data_ptr<float>() + radius.numel()};
+}
+
+/// Whether a body of given motion goes where an object that can move may be.
+bool is_driven_at(const PoseRows& poses, std::int64_t frame, double frame_rate_hz, const Tensor& moves_tensor,
+                  const std::vector<float>& radius) {
+  const auto moves = moves_tensor.accessor<bool, 1>();
+  const auto K = static_cast<std::int64_t>(radius.size());
+  for (std::int64_t given = 0; given < K; ++given) {
+    if (moves[given]) continue;
+    const double speed = frame_rate_hz * (position(poses, frame + 1, given) - position(poses, frame, given)).norm();
+    if (speed < kDrivenSpeed) continue;
+    for (std::int64_t k = 0; k < K; ++k) {
+      const float between = (position(poses, frame, k) - position(poses, frame, given)).norm();
+      const float reach = radius[static_cast<size_t>(k)] + radius[static_cast<size_t>(given)];
+      if (moves[k] && between < reach) return true;
+    }
+  }
+  return false;
+}
+
 void find_in_scene(const SceneTensors& tensors, std::int64_t scene, ContactEvents& events) {
   const Tensor scene_poses = tensors.poses[scene], scene_objects = tensors.dynamic_mask[scene];
   const PoseRows poses = scene_poses.accessor<float, 3>();
   const auto moves = scene_objects.accessor<bool, 1>();
   const SceneFrames of_scene{tensors.gravity[scene].item<double>(), tensors.frame_rate[scene].item<double>()};
   const std::int64_t num_frames = tensors.frame_count[scene].item<std::int64_t>();
+  const std::vector<float> radius = radii(tensors, scene);
+  for (std::int64_t frame = kLastingStride; frame + 1 < num_frames; frame += kLastingStride) {
+    if (!is_driven_at(poses, frame, of_scene.frame_rate_hz, scene_objects, radius)) continue;
+    events.driven.push_back({static_cast<std::int32_t>(scene), static_cast<std::int32_t>(frame)});
+  }
   for (std::int64_t k = 0; k < moves.size(0); ++k) {
     if (!moves[k]) continue;
     for (std::int64_t frame = 1; frame + 1 < num_frames; ++frame) {
@@ -113,6 +144,7 @@ ContactEvents find_contact_events(const SceneTensors& tensors) {
     append(all.floor, part.floor);
     append(all.rolling, part.rolling);
     append(all.resting, part.resting);
+    append(all.driven, part.driven);
   }
   return all;
 }

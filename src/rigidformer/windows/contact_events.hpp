@@ -23,6 +23,7 @@ struct ContactEvents {
   std::vector<ContactEvent> floor;    ///< Impact on the floor
   std::vector<ContactEvent> rolling;  ///< In motion on the floor without impact
   std::vector<ContactEvent> resting;  ///< Without motion, wherever the object lies
+  std::vector<ContactEvent> driven;   ///< A driven body moves within reach of the object
 };
 
 /// Finds all moments of contact. `tensors` must be on the CPU.

@@ -17,6 +17,7 @@ struct WindowOptions {
   double floor_probability = 0.0;
   double rolling_probability = 0.0;
   double resting_probability = 0.0;
+  double driven_probability = 0.0;
 };
 
 template <typename Visit>
@@ -27,8 +28,9 @@ void for_each_member(WindowOptions& o, const Visit& visit) {
   visit("mid_air_probability", o.mid_air_probability, anything(), "windows around object-object contacts");
   visit("floor_probability", o.floor_probability, anything(), "windows around floor impacts");
   visit("rolling_probability", o.rolling_probability, anything(), "windows in which an object rolls or slides");
-  visit("resting_probability", o.resting_probability, anything(),
-        "windows in which an object rests; what is left is uniform in time");
+  visit("resting_probability", o.resting_probability, anything(), "windows in which an object rests ...");
+  visit("driven_probability", o.driven_probability, anything(),
+        "... or a driven body moves near one; what is left is uniform in time");
 }
 
 /// How a scene is observed and varied. A member's name is its YAML key under `augmentation:`.

@@ -82,7 +82,7 @@ void store_object(SceneTensors& tensors, std::int64_t s, std::int64_t k, const R
   tensors.object_mask[s][k] = true;
   tensors.shape[s][k] = shape;
   tensors.size[s][k] = object.size;
-  tensors.dynamic_mask[s][k] = !object.is_static;
+  tensors.dynamic_mask[s][k] = !object.is_given();
   store_properties(tensors, s, k, object.properties);
   const Tensor scene_poses = tensors.poses[s];
   auto poses = scene_poses.accessor<float, 3>();

@@ -17,7 +17,7 @@ constexpr double kLongestStepInFrames = 0.95;  // rates are measured: what is ne
 
 bool something_moves(const SceneRecording& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const RecordedObject& object) { return !object.is_static; });
+                     [](const RecordedObject& object) { return !object.is_given(); });
 }
 
 /// Removes the scenes of which `defect` is true and says so.
@@ -45,7 +45,7 @@ std::string leave_out_unusable_scenes(SceneArchive& archive, const WindowNeeds& 
   std::string sentences;
   sentences += remove_if(
       archive, [](const SceneRecording& scene) { return !something_moves(scene); },
-      "they hold no object that can move (instances is empty, or all are static or background)");
+      "they hold no object that can move (instances is empty, or all are static, driven or background)");
   sentences += remove_if(
       archive, [&](const SceneRecording& scene) { return scene.num_frames < needs.least_frames(scene.frame_rate_hz); },
       "they have fewer frames than a window needs (three frames the longest step apart, and every unrolled step: " +

@@ -41,9 +41,11 @@ WindowSampler::WindowSampler(const WindowOptions& options, ContactEvents events,
   check_probability(options.floor_probability, "floor_probability");
   check_probability(options.rolling_probability, "rolling_probability");
   check_probability(options.resting_probability, "resting_probability");
-  check_probability(options.mid_air_probability + options.floor_probability + options.rolling_probability +
-                        options.resting_probability,
-                    "mid_air_probability + floor_probability + rolling_probability + resting_probability");
+  check_probability(options.driven_probability, "driven_probability");
+  check_probability(
+      options.mid_air_probability + options.floor_probability + options.rolling_probability +
+          options.resting_probability + options.driven_probability,
+      "mid_air_probability + floor_probability + rolling_probability + resting_probability + driven_probability");
   if (options.step_sizes.empty()) throw std::invalid_argument("windows.step_sizes is empty");
   const auto [smallest, largest] = std::minmax_element(options.step_sizes.begin(), options.step_sizes.end());
   frame_rates_hz_.resize(frame_counts_.size(), kFrameRateHz);
@@ -64,11 +66,11 @@ int WindowSampler::draw_step_size(std::mt19937_64& random) const {
 
 /// Draws the kind of moment to choose from; null = any time. A kind that the scenes lack falls back to any time.
 const std::vector<ContactEvent>* WindowSampler::draw_kind(std::mt19937_64& random) const {
-  const std::pair<double, const std::vector<ContactEvent>*> kinds[] = {
-      {options_.mid_air_probability, &events_.mid_air},
-      {options_.floor_probability, &events_.floor},
-      {options_.rolling_probability, &events_.rolling},
-      {options_.resting_probability, &events_.resting}};
+  const std::pair<double, const std::vector<ContactEvent>*> kinds[] = {{options_.mid_air_probability, &events_.mid_air},
+                                                                       {options_.floor_probability, &events_.floor},
+                                                                       {options_.rolling_probability, &events_.rolling},
+                                                                       {options_.resting_probability, &events_.resting},
+                                                                       {options_.driven_probability, &events_.driven}};
   double kind = std::uniform_real_distribution<>()(random);
   for (const auto& [probability, list] : kinds) {
     if (kind < probability) return list->empty() ? nullptr : list;

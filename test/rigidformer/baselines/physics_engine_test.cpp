@@ -19,8 +19,9 @@ constexpr double kDegrees = 180.0 / M_PI;  // degrees in a radian
 class PhysicsEngine : public testing::TestWithParam<std::string> {
  protected:
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) {
-    return engine_->forecast(objects, rollout);
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>& tracks = {}) {
+    return engine_->forecast(objects, rollout, tracks);
   }
 
   void SetUp() override {
@@ -196,9 +197,6 @@ TEST_P(PhysicsEngine, RefusesWhatItCannotSimulate) {
   bad = rollout;
   bad.ground_height_m.reset();
   EXPECT_THROW(forecast({object}, bad), std::invalid_argument);
-  object.mode = MotionMode::kKinematic;
-  EXPECT_THROW(forecast({object}, rollout), std::invalid_argument);
-  object.mode = MotionMode::kDynamic;
   object.points_reference = Points::Zero(3, 3);
   EXPECT_THROW(forecast({object}, rollout), std::invalid_argument);
 }
@@ -206,18 +204,43 @@ TEST_P(PhysicsEngine, RefusesWhatItCannotSimulate) {
 INSTANTIATE_TEST_SUITE_P(Engines, PhysicsEngine, testing::ValuesIn(physics_engine_names()),
                          [](const auto& engine) { return engine.param; });
 
-TEST(StaticObjects, P41_StayInTheAirAndCarryOthersInBulletAndAreRefusedByMujoco) {
+TEST_P(PhysicsEngine, P41_StaticObjectsStayInTheAirAndCarryOthers) {
   const RolloutOptions rollout = rollout_of(10, 10);
   ObjectState table = resting_object(box_cloud({1.0, 1.0, 0.2}), {0.0, 0.0, 1.0});
   table.id = "table";
   table.mode = MotionMode::kStatic;
   const ObjectState cube = resting_object(box_cloud({0.4, 0.4, 0.4}), {0.0, 0.0, 1.3});
-  const auto poses = make_physics_engine("bullet")->forecast({table, cube}, rollout);
-  EXPECT_NEAR(poses[0].back().translation.z(), 1.0, 1e-6);
+  const auto poses = forecast({table, cube}, rollout);
+  EXPECT_EQ(poses[0].back().translation.z(), 1.0);
   EXPECT_NEAR(poses[1].back().translation.z(), 1.3, 0.03);
-  const std::vector<std::string> names = physics_engine_names();
-  if (std::find(names.begin(), names.end(), "mujoco") == names.end()) return;
-  EXPECT_THROW(make_physics_engine("mujoco")->forecast({table, cube}, rollout), std::invalid_argument);
+}
+
+TEST_P(PhysicsEngine, KinematicObjectsFollowTheirTrackAndPush) {
+  const RolloutOptions rollout = rollout_of(10, 12);
+  ObjectState pusher = resting_object(box_cloud({0.2, 0.4, 0.4}), {-0.5, 0.0, 0.3});
+  pusher.id = "pusher";
+  pusher.mode = MotionMode::kKinematic;
+  GivenTrack track;
+  track.id = "pusher";
+  track.times_s = {0.0, 0.1, 0.4};
+  for (const double x : {-0.5, -0.5, 0.4}) {
+    track.T_world_reference.push_back({Eigen::Quaterniond::Identity(), {x, 0.0, 0.3}});
+  }
+  const ObjectState cube = resting_object(box_cloud({0.4, 0.4, 0.4}), {0.0, 0.0, 0.2});
+  const auto poses = forecast({pusher, cube}, rollout, {track});
+  EXPECT_NEAR(poses[0][12].translation.x(), 0.4, 1e-9);
+  EXPECT_NEAR(poses[0][6].translation.x(), -0.05, 1e-9);
+  EXPECT_NEAR(poses[1][2].translation.x(), 0.0, 1e-3) << "not touched yet";
+  EXPECT_GT(poses[1][12].translation.x(), 0.68) << "pushed to 0.7 m, with the pusher 0.2 m thick";
+}
+
+TEST_P(PhysicsEngine, KinematicObjectsWithoutATrackKeepTheirTwist) {
+  const RolloutOptions rollout = rollout_of(10, 4);
+  ObjectState palm = resting_object(box_cloud({1.0, 1.0, 0.2}), {0.0, 0.0, 1.0});
+  palm.mode = MotionMode::kKinematic;
+  palm.T_world_previous.translation.z() = 0.99;
+  const auto poses = forecast({palm}, rollout);
+  EXPECT_NEAR(poses[0][4].translation.z(), 1.04, 1e-9);
 }
 
 TEST(PhysicsEngineNames, UnknownOnesAreRefused) { EXPECT_THROW(make_physics_engine("newton"), std::invalid_argument); }

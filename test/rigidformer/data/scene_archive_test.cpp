@@ -96,6 +96,25 @@ TEST(SceneArchive, P41_ObjectsThatNeverMoveStayStatic) {
   EXPECT_TRUE(read.scenes[1].objects[1].is_static);
 }
 
+TEST(SceneArchive, DrivenObjectsAreToldAndOnlyTheyNeedTheNewVersion) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "a.safetensors";
+  SceneArchive archive = example_archive();
+  write_scene_archive(path, archive);
+  EXPECT_EQ(read_tensor_file(path).tensors.count("object_driven"), 0U);
+  archive.scenes[1].objects[0].is_driven = true;
+  archive.scenes[1].objects[1].is_static = true;
+  write_scene_archive(path, archive);
+  EXPECT_EQ(read_tensor_file(path).metadata.at("format_version"), "4");
+  const SceneArchive read = read_scene_archive(path);
+  EXPECT_FALSE(read.scenes[0].objects[0].is_given());
+  EXPECT_TRUE(read.scenes[1].objects[0].is_driven && !read.scenes[1].objects[0].is_static);
+  EXPECT_TRUE(read.scenes[1].objects[1].is_static && !read.scenes[1].objects[1].is_driven);
+  archive.scenes[1].objects[0].is_static = true;
+  write_scene_archive(path, archive);
+  EXPECT_NE(file_error_of(path, [&] { read_scene_archive(path); }).find("static and driven"), std::string::npos);
+}
+
 TEST(SceneArchive, TheGroundIsKeptAndThatOfMoviGoesWithoutSaying) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "a.safetensors";

@@ -21,7 +21,8 @@ class Holding : public Forecaster {
   explicit Holding(const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) : turn_(turn) {}
   std::string name() const override { return "holding"; }
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) override {
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>&) override {
     std::vector<std::vector<RigidTransform>> poses;
     for (const ObjectState& object : objects) {
       const RigidTransform turned{turn_ * object.T_world_current.rotation, object.T_world_current.translation};

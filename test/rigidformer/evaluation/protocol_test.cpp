@@ -29,8 +29,9 @@ class DriftingForecaster : public Forecaster {
   std::string name() const override { return "drifting"; }
 
   std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                    const RolloutOptions& rollout) override {
-    auto poses = BallisticForecaster().forecast(objects, rollout);
+                                                    const RolloutOptions& rollout,
+                                                    const std::vector<GivenTrack>& tracks) override {
+    auto poses = BallisticForecaster().forecast(objects, rollout, tracks);
     for (auto& object : poses) {
       for (std::size_t k = 0; k < object.size(); ++k) {
         object[k].translation.y() += static_cast<double>(k);
@@ -144,7 +145,8 @@ TEST(Protocol, DriftCountsOnlyWhatLiesStill) {
    public:
     std::string name() const override { return "still_drifting"; }
     std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                      const RolloutOptions& rollout) override {
+                                                      const RolloutOptions& rollout,
+                                                      const std::vector<GivenTrack>&) override {
       std::vector<std::vector<RigidTransform>> forecast;
       for (const ObjectState& object : objects) {
         forecast.emplace_back(static_cast<std::size_t>(rollout.num_steps) + 1, object.T_world_current);
@@ -196,7 +198,8 @@ TEST(Protocol, P42_AnotherFrameRateIsAnotherTimeStep) {
   class TimeStep : public BallisticForecaster {
    public:
     std::vector<std::vector<RigidTransform>> forecast(const std::vector<ObjectState>& objects,
-                                                      const RolloutOptions& rollout) override {
+                                                      const RolloutOptions& rollout,
+                                                      const std::vector<GivenTrack>&) override {
       time_step_s = rollout.time_step_s;
       return BallisticForecaster::forecast(objects, rollout);
     }
@@ -223,6 +226,32 @@ TEST(Protocol, P41_StaticObjectsAreSeenButNotScored) {
   const auto scores = evaluate(archive, {&drifting}, options, {}, [&](const SceneResult& r) { results.push_back(r); });
   EXPECT_EQ(results.at(0).predicted.size(), 2U);
   EXPECT_NEAR(scores.at(0).error.position_rmse_m, 4.0, 1e-9);
+}
+
+TEST(Protocol, ForecastersGetTheTracksOfDrivenObjectsWhichAreNotScored) {
+  DriftingForecaster drifting;
+  BallisticForecaster ballistic;
+  ProtocolOptions options;
+  options.starts = {0};
+  options.steps = {10};
+  options.horizons = {50};
+  options.curve_end = 50;
+  SceneArchive archive = flying_set(1, 60);
+  RecordedObject& driven = archive.scenes[0].objects[1];
+  driven.is_driven = true;
+  for (int frame = 0; frame < 60; ++frame) {
+    driven.T_world_object[static_cast<std::size_t>(frame)].translation = {0.001 * frame * frame, 9.0, 0.5};
+  }
+  std::vector<SceneResult> results;
+  const auto scores =
+      evaluate(archive, {&drifting, &ballistic}, options, {}, [&](const SceneResult& r) { results.push_back(r); });
+  EXPECT_NEAR(scores.at(0).error.position_rmse_m, 4.0, 1e-9) << "the mean over the free object alone";
+  EXPECT_NEAR(results.at(0).curve.at(50).position_rmse_m, 4.0, 1e-9);
+  ASSERT_EQ(results.at(1).predicted.at(1).size(), 5U);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const RigidTransform& truth = driven.T_world_object[10 * (k + 1)];
+    EXPECT_LT((results[1].predicted[1][k].translation - truth.translation).norm(), 1e-9);
+  }
 }
 
 TEST(Protocol, RefusesScenesThatAreTooShortAndBadOptions) {

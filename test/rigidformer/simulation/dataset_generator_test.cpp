@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -133,6 +134,35 @@ TEST_F(DatasetGenerator, EnginesMakeTwinsOfTheSameVariedScenes) {
   }
 }
 
+TEST_F(DatasetGenerator, FixturesAreTheSameForAnyNumberOfThreadsAndLeaveOtherScenesAlone) {
+  DatasetOptions plain = options();
+  plain.movi.num_frames = 60;
+  generate_dataset(plain, log_);
+  DatasetOptions fixtures = plain;
+  fixtures.fixtures = true;
+  EXPECT_THROW(generate_dataset(fixtures, log_), std::runtime_error) << "the folder holds other scenes";
+  fixtures.output = folder_ / "fixtures";
+  generate_dataset(fixtures, log_);
+  DatasetOptions threads = fixtures;
+  threads.jobs = 2;
+  threads.output = folder_ / "threads";
+  generate_dataset(threads, log_);
+  const char* shard = "scenes_000000.safetensors";
+  EXPECT_EQ(bytes(threads.output / shard), bytes(fixtures.output / shard));
+
+  const SceneArchive a = load_scenes(plain.output, std::vector<Shape>{});
+  EXPECT_EQ(a.shapes.size(), 1U);
+  for (const SceneRecording& scene : a.scenes) {
+    for (const RecordedObject& object : scene.objects) EXPECT_FALSE(object.is_given());
+  }
+  const SceneArchive b = load_scenes(fixtures.output, std::vector<Shape>{});
+  const auto is_given = [](const RecordedObject& object) { return object.is_given(); };
+  for (const SceneRecording& scene : b.scenes) {
+    EXPECT_TRUE(std::any_of(scene.objects.begin(), scene.objects.end(), is_given));
+    EXPECT_FALSE(std::all_of(scene.objects.begin(), scene.objects.end(), is_given));
+  }
+}
+
 TEST_F(DatasetGenerator, RefusesToMixData) {
   generate_dataset(options(), log_);
   DatasetOptions other_seed = options();
@@ -163,6 +193,14 @@ TEST_F(DatasetGenerator, BadOptionsAreRefusedBeforeAnythingIsWritten) {
   EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
   bad = options();
   bad.engine = "ode";
+  EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
+  bad = options();
+  bad.fixtures = true;
+  bad.format = "kubric";
+  EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
+  bad = options();
+  bad.fixtures = true;
+  bad.set = "walker_15";
   EXPECT_THROW(generate_dataset(bad, log_), std::invalid_argument);
   bad = options();
   bad.format = "zip";

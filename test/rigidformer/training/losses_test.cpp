@@ -168,6 +168,62 @@ TEST(WindowLoss, RollsTheModelOut) {
   EXPECT_NEAR(missed, 2.0 * 4.5 / 3.0, 0.05);  // one step out of three misses, raw and rigid
 }
 
+/// A window of which object 0 is driven with an acceleration that no twist tells.
+WindowBatch driven_windows(const RandomScene& scene, int num_steps) {
+  WindowBatch windows;
+  windows.scene = scene.batch;
+  windows.scene.dynamic_mask = scene.batch.dynamic_mask.clone();
+  windows.scene.dynamic_mask.select(1, 0).fill_(false);
+  windows.poses = {scene.state.previous, scene.state.current};
+  for (int step = 1; step <= num_steps; ++step) {
+    Pose pose = nudged(scene.state.current);
+    pose.translation.select(1, 0).select(-1, 0).add_(0.1 * step * step);
+    windows.poses.push_back(pose);
+    windows.departures.push_back(nudged(pose));
+  }
+  return windows;
+}
+
+TEST(WindowLoss, TellsTheModelWhereDrivenBodiesAreAboutToBe) {
+  const RandomScene scene = random_scene(2, {{12, 9}, {8}});
+  RigidFormer model = random_model(model_preset("tiny"));
+  const WindowBatch windows = driven_windows(scene, 3);
+  const auto loss_of = [&](bool is_told) {
+    SceneState state{windows.poses[0], windows.poses[0], windows.poses[1]};
+    double loss = 0.0;
+    for (size_t step = 0; step < 3; ++step) {
+      if (is_told) state.coming = windows.poses[step + 2];
+      const StepPrediction prediction = predict(model, {windows.scene, state});
+      loss += step_loss({}, windows.scene, prediction, windows.poses[step + 2]).item<double>() / 3.0;
+      state = advance(windows.scene, state, prediction);
+    }
+    return loss;
+  };
+  LossOptions options;
+  options.centre_of_mass_weight = 0.0;
+  const double loss = window_loss(options, model, windows, nearest_by_distance_matrix).item<double>();
+  EXPECT_NEAR(loss, loss_of(true), 1e-9 * loss);
+  EXPECT_GT(std::abs(loss - loss_of(false)), 1e-6 * loss);
+}
+
+TEST(WindowLoss, NothingIsLearnedFromGivenBodies) {
+  const RandomScene scene = random_scene(2, {{12, 9}, {8}});
+  for (const ModelOptions& options : tiny_variants()) {
+    RigidFormer model = random_model(options);
+    WindowBatch windows = driven_windows(scene, 2);
+    windows.scene.dynamic_mask.fill_(false);
+    LossOptions losses;
+    losses.centre_of_mass_weight = 1.0;
+    const Tensor loss = window_loss(losses, model, windows, nearest_by_distance_matrix);
+    EXPECT_EQ(loss.item<double>(), 0.0);
+    loss.backward();
+    for (const Tensor& parameter : model->parameters()) {
+      const Tensor gradient = parameter.grad();
+      EXPECT_TRUE(!gradient.defined() || gradient.abs().max().item<double>() == 0.0);
+    }
+  }
+}
+
 TEST(WindowLoss, GradientMatchesTheDifferenceQuotient) {
   const RandomScene scene = random_scene(3, {{12, 9}, {8}});
   for (const ModelOptions& options : tiny_variants()) {

@@ -130,12 +130,13 @@ TEST_F(WindowBatchTest, P47_WhatTheRecordingDoesNotSayStaysUnknown) {
   EXPECT_GT(scene.properties[0][1][0].item<double>(), 0.0);  // a stand-in for networks that read no mask
 }
 
-TEST_F(WindowBatchTest, P41_StaticObjectsAreNotPredicted) {
-  SceneArchive archive = flying_cubes_archive({2}, 60);
+TEST_F(WindowBatchTest, P41_StaticAndDrivenObjectsAreNotPredicted) {
+  SceneArchive archive = flying_cubes_archive({3}, 60);
   archive.scenes[0].objects[1].is_static = true;
+  archive.scenes[0].objects[2].is_driven = true;
   const SceneTensors tensors = make_scene_tensors({archive}, {4, 64, 1});
   const SceneBatch scene = make_window_batch(tensors, {{0, 0, 5}}, 1, 4, no_augmentation(32)).scene;
-  EXPECT_TRUE(torch::equal(scene.dynamic_mask, torch::tensor({{true, false}})));
+  EXPECT_TRUE(torch::equal(scene.dynamic_mask, torch::tensor({{true, false, false}})));
 }
 
 }  // namespace

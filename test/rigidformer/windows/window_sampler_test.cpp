@@ -32,7 +32,7 @@ TEST(WindowSamplerTest, WindowsFitIntoTheScene) {
   WindowOptions options;
   options.any_step_probability = 0.3;
   options.mid_air_probability = options.floor_probability = 0.3;
-  const WindowSampler draws = sampler(options, {{{1, 0}, {2, 99}}, {{3, 1}, {0, 98}}, {}, {}});
+  const WindowSampler draws = sampler(options, {{{1, 0}, {2, 99}}, {{3, 1}, {0, 98}}, {}, {}, {}});
   std::mt19937_64 random(1);
   std::set<int> scenes, frames;
   for (const int num_steps : {1, 2, 6}) {
@@ -73,16 +73,20 @@ TEST(WindowSamplerTest, KindsAreDrawnAsOftenAsAskedFor) {
   options.rolling_probability = 0.3;
   options.resting_probability = 0.4;
   // Every kind lies in a scene of its own, so that the scene tells the kind.
-  const WindowSampler draws = sampler(options, {{{0, 50}}, {{1, 50}}, {{2, 50}}, {{3, 50}}});
+  const WindowSampler draws = sampler(options, {{{0, 50}}, {{1, 50}}, {{2, 50}}, {{3, 50}}, {}});
   std::mt19937_64 random(9);
   std::vector<double> share(4, 0.0);
   for (int i = 0; i < 20000; ++i) share[static_cast<size_t>(draws.draw(1, random).scene)] += 1.0 / 20000.0;
   for (int kind = 0; kind < 4; ++kind) EXPECT_NEAR(share[static_cast<size_t>(kind)], 0.1 * (kind + 1), 0.02);
   // A kind that does not occur falls back to any time of any scene.
   std::set<int> scenes;
-  const WindowSampler lacking = sampler(options, {{{0, 50}}, {{0, 50}}, {}, {}});
+  const WindowSampler lacking = sampler(options, {{{0, 50}}, {{0, 50}}, {}, {}, {}});
   for (int i = 0; i < 500; ++i) scenes.insert(lacking.draw(1, random).scene);
   EXPECT_EQ(scenes, (std::set<int>{0, 1, 2, 3}));
+  WindowOptions driven;
+  driven.driven_probability = 1.0;
+  const WindowSampler near_drivers = sampler(driven, {{{0, 50}}, {{0, 50}}, {}, {}, {{2, 50}}});
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(near_drivers.draw(1, random).scene, 2);
 }
 
 TEST(WindowSamplerTest, StepSizesComeFromTheList) {
@@ -102,7 +106,7 @@ TEST(WindowSamplerTest, StepSizesComeFromTheList) {
 }
 
 TEST(WindowSamplerTest, EventsLieInThePredictedPart) {
-  const ContactEvents events{{{2, 60}, {0, 99}}, {{3, 10}}, {}, {}};
+  const ContactEvents events{{{2, 60}, {0, 99}}, {{3, 10}}, {}, {}, {}};
   for (const bool mid_air : {true, false}) {
     WindowOptions options;
     options.any_step_probability = 0.5;
@@ -138,7 +142,7 @@ TEST(WindowSamplerTest, P45_WindowsEndWithTheirOwnScene) {
   WindowOptions options;
   options.any_step_probability = 0.3;
   options.floor_probability = 0.5;
-  const WindowSampler draws(options, {{}, {{1, 19}, {3, 28}}, {}, {}}, {3, 1, 4, 2}, frames);
+  const WindowSampler draws(options, {{}, {{1, 19}, {3, 28}}, {}, {}, {}}, {3, 1, 4, 2}, frames);
   std::mt19937_64 random(6);
   for (const int num_steps : {1, 4, 19}) {
     for (int i = 0; i < 1000; ++i) {
@@ -232,6 +236,24 @@ TEST_F(ContactEventsTest, P41_StaticObjectsAreNoEvents) {
   SceneRecording rest = moving_cube(20, [](double) { return Eigen::Vector3d(1.0, 2.0, 0.5); });
   rest.objects[0].is_static = true;
   EXPECT_TRUE(find({rest}).resting.empty());
+}
+
+TEST_F(ContactEventsTest, DrivenBodiesCountWhileTheyMoveNearAnObject) {
+  const auto scene_with = [](double speed_mps, bool is_driven) {
+    SceneRecording scene = moving_cube(60, [](double) { return Eigen::Vector3d(0.0, 0.0, 0.5); });
+    const SceneRecording other =
+        moving_cube(60, [&](double t) { return Eigen::Vector3d(2.2 - speed_mps * t, 0.0, 0.5); });
+    scene.objects.push_back(other.objects[0]);
+    scene.objects[1].is_driven = is_driven;
+    return scene;
+  };
+  const ContactEvents events =
+      find({scene_with(0.0, true), scene_with(4.0, false), scene_with(4.0, true), scene_with(0.01, true)});
+  ASSERT_EQ(events.driven.size(), 4u);  // spheres around cubes of 1 m meet at 1.73 m: from frame 29 on
+  for (const ContactEvent& event : events.driven) {
+    EXPECT_EQ(event.scene, 2);
+    EXPECT_GE(event.frame, 29);
+  }
 }
 
 TEST_F(ContactEventsTest, RestAndRollingAreToldApart) {
