@@ -18,8 +18,7 @@ namespace {
 // on the time step.
 ObservedScene newest_scene(const LiveScene& live_scene, const SceneForecaster& forecaster, double wished_step_s) {
   ObservedScene scene = live_scene.snapshot(wished_step_s);
-  const rigidformer::ModelInfo model = forecaster.model_for(scene);
-  const double time_step_s = std::clamp(wished_step_s, model.min_time_step_s, model.max_time_step_s);
+  const double time_step_s = forecaster.nearest_time_step(scene, wished_step_s);
   return time_step_s == wished_step_s ? scene : live_scene.snapshot(time_step_s);
 }
 
