@@ -18,7 +18,7 @@ LAYERS = ['io', 'geometry', 'scene', 'data', 'simulation', 'tracking', 'model', 
           'training', 'evaluation', 'baselines']
 FACADE = {'predictor', 'rollout', 'candidates', 'candidate_batch', 'candidate_objects', 'length_scale',
           'network_rollout', 'network_steps',
-          'perceived_objects', 'rollout_world', 'step_parts', 'stop_rules', 'usable_rollout', 'world_contacts'}
+          'perceived_objects', 'rollout_record', 'rollout_world', 'standing', 'step_parts', 'stop_rules', 'usable_rollout', 'world_contacts'}
 ROOMS = ['messages', 'parameters', 'forecast', 'health', 'inputs', 'services', 'outputs', 'node', 'simulated']
 SIMULATED = ['playback', 'demo', 'camera', 'accuracy']
 

@@ -11,7 +11,6 @@
 #include <pcl/segmentation/sac_segmentation.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -74,7 +73,7 @@ std::optional<Eigen::Vector4d> ground_of(const rigidformer::Points& points, cons
   return found[3] < 0.0 ? Eigen::Vector4d(-found) : found;
 }
 
-// Lists the rows of the points that do not lie on the largest plane.
+// Lists the rows of the points above the largest plane: what is below it is noise of the plane, or no object on it.
 std::vector<int> without_ground(const rigidformer::Points& points, const std::vector<int>& rows,
                                 const SegmentationOptions& options) {
   const std::optional<Eigen::Vector4d> plane = ground_of(points, rows, options);
@@ -84,7 +83,7 @@ std::vector<int> without_ground(const rigidformer::Points& points, const std::ve
   std::vector<int> rest;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(rest), [&](int row) {
     const double height = plane->head<3>().dot(points.row(row).cast<double>()) + (*plane)[3];
-    return std::abs(height) > options.plane_distance;
+    return height > options.plane_distance;
   });
   return rest;
 }

@@ -32,7 +32,7 @@ void for_each_member(SegmentationOptions& o, const Visit& visit) {
   visit("min_cluster_points", o.min_cluster_points, between(1.0, 1e6), "fewest points of an object");
 }
 
-/// The largest plane of a cloud [N, 3] m as (n, d) with n · x + d = 0 and the unit normal n towards the camera, which is
+/// The largest plane of a cloud [N, 3] m as (n, d) where n x + d = 0 and the unit normal n towards the camera, which is
 /// the cloud's origin; empty where no plane holds the share of the points that a ground has.
 std::optional<Eigen::Vector4d> find_ground(const rigidformer::Points& points, const SegmentationOptions& options);
 

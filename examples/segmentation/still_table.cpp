@@ -22,11 +22,18 @@ std::string print(const char* format, Args... args) {
 
 const char* name_of(std::uint8_t status) {
   switch (status) {
-    case ObjectForecast::OK: return "OK";
-    case ObjectForecast::ASSUMED_STATIC: return "ASSUMED_STATIC";
-    case ObjectForecast::LOW_QUALITY: return "LOW_QUALITY";
-    case ObjectForecast::DIVERGED: return "DIVERGED";
-    default: return "OUT_OF_RANGE";
+    case ObjectForecast::OK:
+      return "OK";
+    case ObjectForecast::ASSUMED_STATIC:
+      return "ASSUMED_STATIC";
+    case ObjectForecast::LOW_QUALITY:
+      return "LOW_QUALITY";
+    case ObjectForecast::DIVERGED:
+      return "DIVERGED";
+    case ObjectForecast::INCOMPLETE:
+      return "INCOMPLETE";
+    default:
+      return "OUT_OF_RANGE";
   }
 }
 
@@ -40,8 +47,8 @@ double percent(int part, int whole) { return 100.0 * part / std::max(1, whole); 
 }  // namespace
 
 std::string still_table(const StillReport& report) {
-  std::string text = print("%-9s %9s %6s   %-23s   %-20s   %s\n", "object", "forecasts", "moved", "moved p50 p95 max [mm]",
-                           "turned p50 p95 max [deg]", "status");
+  std::string text = print("%-9s %9s %6s   %-23s   %-20s   %s\n", "object", "forecasts", "moved",
+                           "moved p50 p95 max [mm]", "turned p50 p95 max [deg]", "status");
   for (const auto& [id, object] : report.objects) {
     const auto of = [](const std::vector<double>& values, double scale) {
       return print("%7.1f %7.1f %7.1f", scale * quantile(values, 0.5), scale * quantile(values, 0.95),
@@ -52,7 +59,8 @@ std::string still_table(const StillReport& report) {
       statuses += (statuses.empty() ? "" : ", ") + std::to_string(number) + " " + name_of(status);
     }
     text += print("%-9s %9d %6d   %s   %s    ", id.c_str(), object.num_forecasts, object.num_moved,
-                  of(object.moved_m, 1e3).c_str(), of(object.turned_rad, kDegrees).c_str()) + statuses + "\n";
+                  of(object.moved_m, 1e3).c_str(), of(object.turned_rad, kDegrees).c_str()) +
+            statuses + "\n";
   }
   return text + print("everything stands still in %.1f %% of %d forecasts, what has status OK in %.1f %%\n",
                       percent(report.num_still, report.num_forecasts), report.num_forecasts,

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "rigidformer/engine/engine_step.hpp"
+#include "rigidformer/engine/standing_hull.hpp"
 #include "rigidformer/model/nearest.hpp"
+#include "rigidformer/standing.hpp"
 
 namespace rigidformer {
 namespace {
@@ -57,6 +59,20 @@ NearestSearch tree_search(const std::vector<std::shared_ptr<const SearchableClou
   };
 }
 
+/// What stands is a body that can stand.
+void set_on_feet(const std::vector<ObjectState>& objects, const Pose& current, PerceivedObjects& perceived) {
+  if (perceived.solids.empty()) return;
+  const SolidScene scene(perceived.solids, perceived.batch.ground_height[0].item<double>());
+  std::vector<bool> stands;
+  std::vector<BodyProperties> properties;
+  for (const ObjectState& object : objects) {
+    stands.push_back(has_stood(object));
+    properties.push_back(object.properties);
+  }
+  const auto poses = scene.body_poses(to_world(current, Eigen::Vector3d::Zero()));
+  perceived.solids = on_their_feet(scene, poses, stands, properties);
+}
+
 }  // namespace
 
 NearestSearch nearest_search(const PerceivedObjects& perceived) {
@@ -74,6 +90,7 @@ PerceivedObjects perceive(RigidFormer& model, const torch::Device& device, int m
   perceived.centre = model->centre_of_mass(perceived.batch, current);
   perceived.batch.hidden_points = model->hidden_side(perceived.batch, current, perceived.centre);
   perceived.solids = make_solids(perceived.batch, perceived.centre);
+  set_on_feet(objects, input.state.current, perceived);
   if (device.is_cpu()) {
     for (Points& cloud : input.clouds) perceived.trees.push_back(make_searchable(std::move(cloud)));
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 
 namespace rigidformer_ros {
@@ -40,6 +41,14 @@ void count_skipped(const ObservedScene& scene, std::size_t num_known, RejectionL
     if (i >= num_known || skipped.cause != rigidformer::SkipCause::kUnusable) {
       rejections.add(reason_of(skipped.cause), "'" + skipped.id + "': " + skipped.reason);
     }
+  }
+}
+
+void note_incomplete(const SceneRollout& rollout, RejectionLog& rejections) {
+  for (std::size_t i = 0; i < rollout.scene.objects.size(); ++i) {
+    if (status_of(rollout, i) != ObjectForecast::INCOMPLETE) continue;
+    rejections.note("object seen in part", "'" + rollout.scene.objects[i].state.id +
+                                               "': forecast with status INCOMPLETE, its shape is a guess");
   }
 }
 
@@ -160,6 +169,7 @@ void ForecastLoop::forecast(ObservedScene scene) {
     return;  // forgotten while it was computed
   }
   count_skipped(rollout.scene, num_skipped, context_.rejections);
+  note_incomplete(rollout, context_.rejections);
   rollout.trusted_horizon_s = context_.quality.get().trusted_horizon_s;
   publisher_.publish(rollout);
   context_.input.forecast_made();
