@@ -108,8 +108,9 @@ void RolloutWorld::check_overlaps() const {
 
 /// What was seen to stand has no velocity, whatever the noise of its poses says.
 void RolloutWorld::stand() {
-  std::vector<bool> stands;
-  for (const CandidateObject& object : objects_) stands.push_back(has_stood(object.state));
+  std::vector<ObjectState> states;
+  for (const CandidateObject& object : objects_) states.push_back(object.state);
+  const std::vector<bool> stands = who_stands(states, solids_, body_poses().now);
   standing_ = Standing(solids_, body_poses().now, stands);
   put_back(state_, mask_of(stands, perceived_.batch.dynamic_mask.device()), state_);
 }

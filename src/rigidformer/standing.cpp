@@ -3,6 +3,7 @@
 #include "rigidformer/standing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "rigidformer/engine/standing_hull.hpp"
@@ -13,6 +14,7 @@ namespace {
 // Time [s] at the scale of the model. From rest, what falls comes 0.6 m down in it, and what tips over turns by 0.1 rad
 // when its centre of mass is 6 cm beside its foot: far more than the error of a pose (tracking/stillness.cpp).
 constexpr double kStood_s = 0.35;
+constexpr double kHung_s = 0.7;  // where nothing is below: what is thrown up passes a place twice, here after 0.6 m
 constexpr double kCarryingNormal_z = 0.5;  // a surface steeper than 60 degrees carries nothing; chosen by eye
 
 bool contains(const std::vector<std::size_t>& numbers, std::size_t number) {
@@ -38,7 +40,19 @@ std::vector<SolidGap> near_pairs(const SolidScene& scene, const std::vector<Rigi
 
 }  // namespace
 
-bool has_stood(const ObjectState& object) { return object.mode == MotionMode::kDynamic && object.stood_s >= kStood_s; }
+std::vector<bool> who_stands(const std::vector<ObjectState>& objects, const SolidScene& scene,
+                             const std::vector<RigidTransform>& T_world_body) {
+  std::vector<bool> stands(objects.size(), false);
+  const auto has_stood = [](const ObjectState& object) {
+    return object.mode == MotionMode::kDynamic && object.stood_s >= kStood_s;
+  };
+  if (std::none_of(objects.begin(), objects.end(), has_stood)) return stands;
+  const std::vector<double> height_m = heights_above_support(scene, T_world_body);
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    stands[k] = has_stood(objects[k]) && (std::isfinite(height_m[k]) || objects[k].stood_s >= kHung_s);
+  }
+  return stands;
+}
 
 Standing::Standing(const SolidScene& scene, const std::vector<RigidTransform>& T_world_body, std::vector<bool> stands)
     : stands_(std::move(stands)), stood_(stands_), carriers_(stands_.size()), overlapping_(stands_.size()) {

@@ -10,9 +10,11 @@
 
 namespace rigidformer {
 
-/// Whether an object was seen not to move for so long that something carries it, whatever its hull says: gravity pulled
-/// at it all the time.
-bool has_stood(const ObjectState& object);
+/// Which of the observed objects were seen not to move for so long that something carries them, whatever their hulls
+/// say: gravity pulled at them all the time. Where nothing is seen below an object, that takes longer. Poses have their
+/// origin in the centre of mass.
+std::vector<bool> who_stands(const std::vector<ObjectState>& objects, const SolidScene& scene,
+                             const std::vector<RigidTransform>& T_world_body);
 
 /// What was seen to stand, and goes on standing until something that moves touches it or what carries it moves.
 class Standing {

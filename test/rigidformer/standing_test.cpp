@@ -103,7 +103,9 @@ class StandingTest : public ::testing::Test {
 
 TEST_F(StandingTest, P59_WhatWasSeenToStandStandsThoughItsHullWouldFall) {
   for (const double ground_m : {0.0, -3.0}) {
-    const ObjectState stood = carton("carton", 0.0, ground_m, kLong_s), unknown = carton("carton", 0.0, ground_m, 0.0);
+    const ObjectState stood = carton("carton", 0.0, ground_m, kLong_s);
+    ObjectState unknown = carton("carton", 0.0, ground_m, 0.0);
+    unknown.T_world_previous.translation.x() += 0.001;
     expect_still(roll_out({stood}, 48, ground_m).objects[0]);
     EXPECT_GT(moved_m(roll_out({unknown}, kHalfSecond, ground_m).objects[0]), 0.01) << "without history it comes down";
   }
@@ -116,6 +118,13 @@ TEST_F(StandingTest, OnAShelfAndOnAStack) {
   low.stood_s = middle.stood_s = kLong_s;
   const Forecast stack = roll_out({low, middle, carton("carton", 0.1, 2.004, kLong_s)});
   for (const ObjectTrajectory& object : stack.objects) expect_still(object);
+}
+
+TEST_F(StandingTest, WhatIsTakenToBeAtRestCanStandThoughOnlyItsFrontIsSeen) {
+  const Forecast forecast = roll_out({carton("carton", 0.0, 0.0, 0.0)});
+  EXPECT_LT(turned_rad(forecast.objects[0]), kStill_rad);
+  ObjectState edge = carton("carton", 0.7, 2.0, 0.0);
+  EXPECT_GT(moved_m(roll_out({shelf(0.0, 2.0), edge}, 24).objects[1], 24), 0.1) << "nothing is below its foot";
 }
 
 TEST_F(StandingTest, NoiseOfThePosesIsNoVelocity) {
@@ -132,8 +141,11 @@ TEST_F(StandingTest, AFragmentOfWhichNobodySeesWhatCarriesItStands) {
 }
 
 TEST_F(StandingTest, TooShortARestIsNone) {
-  EXPECT_FALSE(has_stood(carton("carton", 0.0, 4.0, 0.3)));
-  EXPECT_GT(moved_m(roll_out({carton("carton", 0.0, 4.0, 0.3)}).objects[0]), 1.0);
+  EXPECT_GT(moved_m(roll_out({carton("carton", 0.0, 4.0, 0.6)}).objects[0]), 1.0) << "what is thrown up comes back";
+  expect_still(roll_out({carton("carton", 0.0, 0.0, 0.4)}).objects[0]);
+  ObjectState edge = box("box", {0.7, 0.0, 2.502});
+  edge.stood_s = 0.3;
+  EXPECT_GT(turned_rad(roll_out({shelf(0.0, 2.0), edge}, 24).objects[1], 24), 0.2);
 }
 
 TEST_F(StandingTest, ABallThatHitsItMovesIt) {

@@ -16,13 +16,13 @@ namespace {
 // Share of a body's size that may be hidden at its bottom: segment_cloud takes the lowest 8 mm of objects of 5 to 10 cm
 // for the ground (plane_distance), and less of larger ones.
 constexpr double kUnseenBottom = 0.1;
+constexpr double kFloorNormal_z = 0.5;  // a surface steeper than 60 degrees carries nothing; chosen by eye
 
 #ifdef RIGIDFORMER_HAS_BULLET
 
-constexpr double kFootShare = 0.05;     // of the height: what is lower belongs to the foot; chosen by eye
-constexpr double kFootMargin = 0.1;     // of the height of the centre of mass: stands in a tilt of 6 degrees; by eye
-constexpr int kDirections = 16;         // in which the foot is measured: every 22.5 degrees; chosen by eye
-constexpr double kFloorNormal_z = 0.5;  // a surface steeper than 60 degrees carries nothing; chosen by eye
+constexpr double kFootShare = 0.05;  // of the height: what is lower belongs to the foot; chosen by eye
+constexpr double kFootMargin = 0.1;  // of the height of the centre of mass: stands in a tilt of 6 degrees; by eye
+constexpr int kDirections = 16;      // in which the foot is measured: every 22.5 degrees; chosen by eye
 
 using Outline = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;  ///< Horizontal, about the centre of mass
 
@@ -82,29 +82,25 @@ ObservedSolid on_its_feet(const ObservedSolid& solid, const RigidTransform& T_wo
   return with_hull(solid, hull, measure_volume(hull).volume_m3, properties);
 }
 
-/// How far each body is above what is nearest below it [m]; 0 where nothing is near enough to carry it.
-std::vector<double> heights(const SolidScene& scene, const std::vector<RigidTransform>& T_world_body) {
-  const std::size_t K = scene.solids().size();
-  std::vector<double> nearest(K, std::numeric_limits<double>::infinity());
-  double reach_m = 0.0;
-  for (const ObservedSolid& solid : scene.solids()) reach_m = std::max(reach_m, unseen_bottom_m(solid));
-  for (const SolidGap& gap : scene.gaps(T_world_body, reach_m)) {
-    const bool body_is_above = gap.normal.z() > 0.0;
-    if (std::abs(gap.normal.z()) < kFloorNormal_z) continue;
-    const auto upper = static_cast<std::size_t>(body_is_above ? gap.body : gap.partner);
-    nearest[upper] = std::min(nearest[upper], std::max(0.0, gap.gap_m));
-  }
-  for (std::size_t k = 0; k < K; ++k) {
-    if (nearest[k] > unseen_bottom_m(scene.solids()[k])) nearest[k] = 0.0;
-  }
-  return nearest;
-}
-
 #endif
 
 }  // namespace
 
 double unseen_bottom_m(const ObservedSolid& solid) { return kUnseenBottom * 2.0 * solid.radius_m; }
+
+std::vector<double> heights_above_support(const SolidScene& scene, const std::vector<RigidTransform>& T_world_body) {
+  constexpr double kNothing_m = std::numeric_limits<double>::infinity();
+  std::vector<double> nearest(scene.solids().size(), kNothing_m);
+  double reach_m = 0.0;
+  for (const ObservedSolid& solid : scene.solids()) reach_m = std::max(reach_m, unseen_bottom_m(solid));
+  for (const SolidGap& gap : scene.gaps(T_world_body, reach_m)) {
+    if (std::abs(gap.normal.z()) < kFloorNormal_z) continue;
+    const auto upper = static_cast<std::size_t>(gap.normal.z() > 0.0 ? gap.body : gap.partner);
+    if (gap.gap_m > unseen_bottom_m(scene.solids()[upper])) continue;
+    nearest[upper] = std::min(nearest[upper], std::max(0.0, gap.gap_m));
+  }
+  return nearest;
+}
 
 std::vector<ObservedSolid> on_their_feet(const SolidScene& scene, const std::vector<RigidTransform>& T_world_body,
                                          const std::vector<bool>& stands,
@@ -112,9 +108,10 @@ std::vector<ObservedSolid> on_their_feet(const SolidScene& scene, const std::vec
   std::vector<ObservedSolid> solids = scene.solids();
 #ifdef RIGIDFORMER_HAS_BULLET
   if (std::find(stands.begin(), stands.end(), true) == stands.end()) return solids;
-  const std::vector<double> down_m = heights(scene, T_world_body);
+  const std::vector<double> height_m = heights_above_support(scene, T_world_body);
   for (std::size_t k = 0; k < solids.size(); ++k) {
-    if (stands[k]) solids[k] = on_its_feet(solids[k], T_world_body[k], down_m[k], properties[k]);
+    const double down_m = std::isfinite(height_m[k]) ? height_m[k] : 0.0;
+    if (stands[k]) solids[k] = on_its_feet(solids[k], T_world_body[k], down_m, properties[k]);
   }
 #else
   (void)T_world_body, (void)stands, (void)properties;

@@ -10,6 +10,10 @@ namespace rigidformer {
 /// segmentations and hidden from cameras that look down.
 double unseen_bottom_m(const ObservedSolid& solid);
 
+/// How far each body is above what is nearest below it and may carry it [m], infinite where nothing is. Poses have
+/// their origin in the centre of mass.
+std::vector<double> heights_above_support(const SolidScene& scene, const std::vector<RigidTransform>& T_world_body);
+
 /// The bodies of a scene of which some are known to stand, each as it must be for that: its hull reaches down to what
 /// is below it, and so far to all sides that its centre of mass is above its foot. What was seen of it stays as it is.
 /// Poses have their origin in the centre of mass; properties as far as they are known. Nothing changes without Bullet.

@@ -5,10 +5,9 @@
 namespace rigidformer {
 namespace {
 
-// Share of the noise of a point that the poses of an object at rest stay within: a pose comes from many points, but the
-// first clouds of a track show its ends blurred.
-constexpr double kStillNoise = 1.0;
-constexpr int kFewestPoses = 3;  // derived: two may show the same place on the way up and on the way down
+// Of the noise of a point, which the poses of an object at rest stay within. On the real table scenes
+// (docs/reliability.md) they leave one such noise in every third cloud, and two in none of 100.
+constexpr double kStillNoise = 2.0;
 
 }  // namespace
 
@@ -21,7 +20,5 @@ Stillness seen_still(const PoseHistory& poses, const Points& points_object, cons
   }
   return still;
 }
-
-double stood_s(const Stillness& still) { return still.num_poses < kFewestPoses ? 0.0 : still.seconds; }
 
 }  // namespace rigidformer

@@ -11,7 +11,4 @@ namespace rigidformer {
 /// moved since.
 Stillness seen_still(const PoseHistory& poses, const Points& points_object, const Stillness& before, double noise_m);
 
-/// The time [s] for which it stood; 0 where it was seen too seldom to tell standing from a turning point.
-double stood_s(const Stillness& still);
-
 }  // namespace rigidformer

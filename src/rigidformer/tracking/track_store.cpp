@@ -275,7 +275,7 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, St
   const auto previous = track.poses.pose_before(stamp, time_step_s);
   object.assumed_static = !previous;
   object.state.T_world_previous = previous.value_or(object.state.T_world_current);
-  object.state.stood_s = stood_s(stillness_of(track));
+  object.state.stood_s = stillness_of(track).seconds;
   return object;
 }
 
