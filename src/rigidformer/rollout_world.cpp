@@ -31,8 +31,11 @@ PerceivedObjects in_roles(PerceivedObjects perceived, const std::vector<Candidat
   return perceived;
 }
 
-bool stays_put(const RigidTransform& a, const RigidTransform& b) {
-  return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
+/// Whether it is faster within a step than what any model holds at rest.
+bool is_moving(const RigidTransform& from, const RigidTransform& to, double time_step_s) {
+  const RestLimits limits;
+  return !((to.translation - from.translation).norm() < limits.speed_mps * time_step_s &&
+           rotation_angle(from.rotation, to.rotation) < limits.spin_radps * time_step_s);
 }
 
 /// [1, K] bool.
@@ -59,7 +62,7 @@ RolloutWorld::RolloutWorld(const StepMaker& maker, PerceivedObjects perceived, s
     forecast_.objects.push_back({object.state.id, ObjectTrajectory::Status::kOk, {object.state.T_world_current}});
   }
   check_overlaps();
-  if (maker_.rest.speed_mps > 0.0 && rollout_.control.empty() && !solids_.solids().empty()) stand();
+  if (rollout_.control.empty() && !solids_.solids().empty()) stand();
   set_twists();
   state_.first = state_.previous;
   make_steps();
@@ -223,7 +226,7 @@ void RolloutWorld::hold_standing(const std::vector<bool>& moved, SceneState& nex
   std::vector<bool> moves = moved;
   for (std::size_t k = 0; k < moves.size(); ++k) {
     if (moved[k]) standing_.let_go(k);
-    moves[k] = moves[k] || !stays_put(from[k], to[k]);
+    moves[k] = moves[k] || is_moving(from[k], to[k], rollout_.time_step_s);
   }
   standing_.let_go(moves, [&] {
     std::vector<ObjectPair> pairs = met_;
@@ -243,13 +246,14 @@ void RolloutWorld::step() {
   const Tensor command = command_of_step(rollout_, steps_done());
   if (command.defined()) perceived_.batch.control = command.to(perceived_.batch.gravity.device());
   const bool holds = maker_.rest.speed_mps > 0.0;
-  const std::vector<bool> moved = holds ? moved_by_others() : std::vector<bool>(objects_.size(), false);
+  const std::vector<bool> moved =
+      holds || standing_.any() ? moved_by_others() : std::vector<bool>(objects_.size(), false);
   SceneState next = advance(perceived_.batch, state_, predict(moved));
   if (holds) {
     const Tensor exempt = any(moved) ? mask_of(moved, perceived_.batch.dynamic_mask.device()) : Tensor();
     hold_resting(perceived_.batch, state_, next, maker_.rest, exempt);
-    hold_standing(moved, next);
   }
+  hold_standing(moved, next);
   forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);
   record(next);
   settle_pushed(next);
