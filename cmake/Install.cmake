@@ -31,7 +31,7 @@ endif()
 
 set(programs ${RIGIDFORMER_APPS})
 foreach(target prediction_node demo_publisher forecast_report depth_camera push_planner record_depth_camera
-        segment_cloud tracking_accuracy)
+        segment_cloud still_scenes tracking_accuracy)
   if(TARGET ${target})
     list(APPEND programs ${target})
   endif()

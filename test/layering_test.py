@@ -17,8 +17,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LAYERS = ['io', 'geometry', 'scene', 'data', 'simulation', 'tracking', 'model', 'engine', 'predictor', 'windows',
           'training', 'evaluation', 'baselines']
 FACADE = {'predictor', 'rollout', 'candidates', 'candidate_batch', 'candidate_objects', 'doubt', 'length_scale',
-          'network_rollout', 'network_steps', 'particle_batch', 'particles',
-          'perceived_objects', 'rollout_world', 'step_parts', 'stop_rules', 'usable_rollout', 'world_contacts'}
+          'network_rollout', 'network_steps', 'particle_batch', 'particles', 'perceived_objects', 'rollout_record',
+          'rollout_world', 'standing', 'step_parts', 'stop_rules', 'usable_rollout', 'world_contacts'}
 ROOMS = ['messages', 'parameters', 'forecast', 'health', 'inputs', 'services', 'outputs', 'node', 'simulated']
 SIMULATED = ['playback', 'demo', 'camera', 'accuracy']
 

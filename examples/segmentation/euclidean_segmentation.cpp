@@ -6,7 +6,6 @@
 #include <pcl/octree/octree_pointcloud_pointvector.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/sample_consensus/sac_model_plane.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/extract_clusters.h>
 #include <pcl/segmentation/sac_segmentation.h>
@@ -52,12 +51,11 @@ Cloud::Ptr make_plane_cloud(const rigidformer::Points& points, const std::vector
   return cloud;
 }
 
-// Lists the rows of the points that do not lie on the largest plane.
-std::vector<int> without_ground(const rigidformer::Points& points, const std::vector<int>& rows,
-                                const SegmentationOptions& options) {
+std::optional<Eigen::Vector4d> ground_of(const rigidformer::Points& points, const std::vector<int>& rows,
+                                         const SegmentationOptions& options) {
   const Cloud::Ptr cloud = make_plane_cloud(points, rows);
   if (cloud->size() < kMinPlanePoints) {
-    return rows;
+    return std::nullopt;
   }
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setModelType(pcl::SACMODEL_PLANE);
@@ -69,13 +67,23 @@ std::vector<int> without_ground(const rigidformer::Points& points, const std::ve
   segmentation.segment(ground, plane);
   if (ground.indices.empty() ||
       static_cast<double>(ground.indices.size()) < options.min_plane_share * static_cast<double>(cloud->size())) {
+    return std::nullopt;
+  }
+  const Eigen::Vector4d found = Eigen::Map<const Eigen::Vector4f>(plane.values.data()).cast<double>();
+  return found[3] < 0.0 ? Eigen::Vector4d(-found) : found;
+}
+
+// Lists the rows of the points above the largest plane: what is below it is noise of the plane, or no object on it.
+std::vector<int> without_ground(const rigidformer::Points& points, const std::vector<int>& rows,
+                                const SegmentationOptions& options) {
+  const std::optional<Eigen::Vector4d> plane = ground_of(points, rows, options);
+  if (!plane) {
     return rows;
   }
   std::vector<int> rest;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(rest), [&](int row) {
-    const double distance = pcl::pointToPlaneDistance(to_pcl(points, row), plane.values[0], plane.values[1],
-                                                      plane.values[2], plane.values[3]);
-    return distance > options.plane_distance;
+    const double height = plane->head<3>().dot(points.row(row).cast<double>()) + (*plane)[3];
+    return height > options.plane_distance;
   });
   return rest;
 }
@@ -115,6 +123,10 @@ Cloud::Ptr make_centre_cloud(const rigidformer::Points& points, const std::vecto
 }
 
 }  // namespace
+
+std::optional<Eigen::Vector4d> find_ground(const rigidformer::Points& points, const SegmentationOptions& options) {
+  return ground_of(points, usable_rows(points, options.max_range), options);
+}
 
 std::vector<std::vector<int>> find_objects(const rigidformer::Points& points, const SegmentationOptions& options) {
   const std::vector<int> rows = without_ground(points, usable_rows(points, options.max_range), options);

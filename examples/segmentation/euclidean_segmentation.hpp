@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "rigidformer/geometry/rigid_transform.hpp"
@@ -30,6 +31,10 @@ void for_each_member(SegmentationOptions& o, const Visit& visit) {
         "[m] largest gap within an object, exact to about a quarter of it");
   visit("min_cluster_points", o.min_cluster_points, between(1.0, 1e6), "fewest points of an object");
 }
+
+/// The largest plane of a cloud [N, 3] m as (n, d) where n x + d = 0 and the unit normal n towards the camera, which is
+/// the cloud's origin; empty where no plane holds the share of the points that a ground has.
+std::optional<Eigen::Vector4d> find_ground(const rigidformer::Points& points, const SegmentationOptions& options);
 
 /// Groups the finite points of a cloud [N, 3] m into objects on a plane. Each object is a list of row numbers. A row
 /// that belongs to no object is in no list. The same cloud always gives the same objects, and a cloud with too few

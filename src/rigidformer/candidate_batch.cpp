@@ -96,6 +96,7 @@ void CandidateBatch::prepare(const Candidate& candidate, const Perceive& perceiv
     throw CandidateError(Error::kInvalid, "has " + std::to_string(objects.size()) +
                                               " objects, the model takes at most " + std::to_string(max_objects));
   }
+  forget_lost_support(scene_.solids, states_, objects);
   for (const CandidateObject& object : objects) {
     outcomes_[i].modes.push_back(object.state.mode);
     if (object.source < 0) running_[i].own.push_back(perceived_body(perceive, object.state));

@@ -51,6 +51,7 @@ void place(const RigidTransform& T_world_new, CandidateObject& object) {
   ObjectState& state = object.state;
   const Eigen::Vector3d step = state.T_world_current.translation - state.T_world_previous.translation;
   const Eigen::Quaterniond back = state.T_world_previous.rotation * state.T_world_current.rotation.conjugate();
+  if (!is_same(state.T_world_current, T_world_new)) state.stood_s = 0.0;
   state.T_world_current = T_world_new;
   state.T_world_previous = {(back * T_world_new.rotation).normalized(), T_world_new.translation - step};
   object.is_placed = true;
@@ -78,6 +79,7 @@ void change(const StateChange& wanted, CandidateObject& object) {
       refuse(name + "twist is not finite");
     }
     object.twist = wanted.twist;
+    object.state.stood_s = 0.0;
   }
   replace_known(wanted.properties, object.state.properties);
   if (const auto found = objection(object.state)) refuse(name + *found);

@@ -46,6 +46,7 @@ std::vector<ObjectState> to_model_scale(std::vector<ObjectState> objects, double
     object.points_reference /= static_cast<float>(scale);
     object.T_world_previous.translation /= scale;
     object.T_world_current.translation /= scale;
+    object.stood_s /= std::sqrt(scale);
   }
   return objects;
 }

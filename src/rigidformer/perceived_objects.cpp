@@ -3,9 +3,12 @@
 #include "rigidformer/perceived_objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rigidformer/engine/engine_step.hpp"
+#include "rigidformer/engine/standing_hull.hpp"
 #include "rigidformer/model/nearest.hpp"
+#include "rigidformer/standing.hpp"
 
 namespace rigidformer {
 namespace {
@@ -57,6 +60,28 @@ NearestSearch tree_search(const std::vector<std::shared_ptr<const SearchableClou
   };
 }
 
+bool is_at_rest(const ObjectState& object) {
+  return object.mode == MotionMode::kDynamic &&
+         object.T_world_current.translation == object.T_world_previous.translation &&
+         object.T_world_current.rotation.coeffs() == object.T_world_previous.rotation.coeffs();
+}
+
+/// What stands is a body that can stand; so is what is seen from one side and taken to be at rest on something.
+void set_on_feet(const std::vector<ObjectState>& objects, const Pose& current, PerceivedObjects& perceived) {
+  if (perceived.solids.empty()) return;
+  const SolidScene scene(perceived.solids, perceived.batch.ground_height[0].item<double>());
+  const auto poses = scene.body_poses(to_world(current, Eigen::Vector3d::Zero()));
+  std::vector<bool> stands = who_stands(objects, scene, poses);
+  const std::vector<double> height_m = heights_above_support(scene, poses);
+  std::vector<BodyProperties> properties;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    const bool may_stand = is_at_rest(objects[k]) && !perceived.solids[k].complete && std::isfinite(height_m[k]);
+    stands[k] = stands[k] || may_stand;
+    properties.push_back(objects[k].properties);
+  }
+  perceived.solids = on_their_feet(scene, poses, stands, properties);
+}
+
 }  // namespace
 
 NearestSearch nearest_search(const PerceivedObjects& perceived) {
@@ -74,6 +99,7 @@ PerceivedObjects perceive(RigidFormer& model, const torch::Device& device, int m
   perceived.centre = model->centre_of_mass(perceived.batch, current);
   perceived.batch.hidden_points = model->hidden_side(perceived.batch, current, perceived.centre);
   perceived.solids = make_solids(perceived.batch, perceived.centre);
+  set_on_feet(objects, input.state.current, perceived);
   if (device.is_cpu()) {
     for (Points& cloud : input.clouds) perceived.trees.push_back(make_searchable(std::move(cloud)));
   }

@@ -17,8 +17,6 @@ namespace {
 constexpr double kLargestOverlap = 0.05;  // of its diameter, with which a body may be placed in another one
 constexpr double kUnmoved = 1e-6;         // [m], [rad] of a given body during a step, which is rounding; by eye
 
-bool is_finite(const RigidTransform& T) { return T.translation.allFinite() && T.rotation.coeffs().allFinite(); }
-
 bool any(const std::vector<bool>& values) { return std::find(values.begin(), values.end(), true) != values.end(); }
 
 bool is_given(const CandidateObject& object) { return object.state.mode != MotionMode::kDynamic; }
@@ -31,6 +29,13 @@ PerceivedObjects in_roles(PerceivedObjects perceived, const std::vector<Candidat
                                     state.mode == MotionMode::kDynamic, state.properties);
   }
   return perceived;
+}
+
+/// Whether it is faster within a step than what any model holds at rest.
+bool is_moving(const RigidTransform& from, const RigidTransform& to, double time_step_s) {
+  const RestLimits limits;
+  return !((to.translation - from.translation).norm() < limits.speed_mps * time_step_s &&
+           rotation_angle(from.rotation, to.rotation) < limits.spin_radps * time_step_s);
 }
 
 /// [1, K] bool.
@@ -57,6 +62,7 @@ RolloutWorld::RolloutWorld(const StepMaker& maker, PerceivedObjects perceived, s
     forecast_.objects.push_back({object.state.id, ObjectTrajectory::Status::kOk, {object.state.T_world_current}});
   }
   check_overlaps();
+  if (rollout_.control.empty() && !solids_.solids().empty()) stand();
   set_twists();
   state_.first = state_.previous;
   make_steps();
@@ -101,6 +107,15 @@ void RolloutWorld::check_overlaps() const {
                                ", at most " + std::to_string(kLargestOverlap * size_m) + " m are accepted");
     }
   }
+}
+
+/// What was seen to stand has no velocity, whatever the noise of its poses says.
+void RolloutWorld::stand() {
+  std::vector<ObjectState> states;
+  for (const CandidateObject& object : objects_) states.push_back(object.state);
+  const std::vector<bool> stands = who_stands(states, solids_, body_poses().now);
+  standing_ = Standing(solids_, body_poses().now, stands);
+  put_back(state_, mask_of(stands, perceived_.batch.dynamic_mask.device()), state_);
 }
 
 BodyPoses RolloutWorld::body_poses() const {
@@ -204,6 +219,26 @@ StepPrediction RolloutWorld::predict(const std::vector<bool>& moved) {
   return prediction;
 }
 
+void RolloutWorld::hold_standing(const std::vector<bool>& moved, SceneState& next) {
+  if (!standing_.any()) return;
+  const std::vector<RigidTransform> from = to_world(state_.current, Eigen::Vector3d::Zero());
+  const std::vector<RigidTransform> to = to_world(next.current, Eigen::Vector3d::Zero());
+  std::vector<bool> moves = moved;
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    if (moved[k]) standing_.let_go(k);
+    moves[k] = moves[k] || is_moving(from[k], to[k], rollout_.time_step_s);
+  }
+  standing_.let_go(moves, [&] {
+    std::vector<ObjectPair> pairs = met_;
+    for (const PressedPair& pair : pressed_) pairs.emplace_back(pair.object, pair.partner);
+    for (const SolidGap& gap : solids_.gaps(solids_.body_poses(to), kContact_m)) {
+      pairs.emplace_back(gap.body, gap.partner);
+    }
+    return pairs;
+  });
+  put_back(state_, mask_of(standing_.who(), perceived_.batch.dynamic_mask.device()), next);
+}
+
 void RolloutWorld::step() {
   if (is_over_) return repeat();
   push();
@@ -211,49 +246,20 @@ void RolloutWorld::step() {
   const Tensor command = command_of_step(rollout_, steps_done());
   if (command.defined()) perceived_.batch.control = command.to(perceived_.batch.gravity.device());
   const bool holds = maker_.rest.speed_mps > 0.0;
-  const std::vector<bool> moved = holds ? moved_by_others() : std::vector<bool>(objects_.size(), false);
+  const std::vector<bool> moved =
+      holds || standing_.any() ? moved_by_others() : std::vector<bool>(objects_.size(), false);
   SceneState next = advance(perceived_.batch, state_, predict(moved));
   if (holds) {
     const Tensor exempt = any(moved) ? mask_of(moved, perceived_.batch.dynamic_mask.device()) : Tensor();
     hold_resting(perceived_.batch, state_, next, maker_.rest, exempt);
   }
+  hold_standing(moved, next);
   forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);
   record(next);
   settle_pushed(next);
   is_over_ = stays(next);
   state_ = next;
   record_contacts();
-}
-
-void RolloutWorld::record(SceneState& next) {
-  const std::vector<RigidTransform> T_world = to_world(next.current, perceived_.origin_world);
-  for (size_t k = 0; k < T_world.size(); ++k) {
-    ObjectTrajectory& object = forecast_.objects[k];
-    if (object.status == ObjectTrajectory::Status::kOk && is_finite(T_world[k])) {
-      object.poses.push_back(T_world[k]);
-    } else {
-      object.status = ObjectTrajectory::Status::kDiverged;
-      object.poses.push_back(object.poses.back());
-      freeze(next, static_cast<std::int64_t>(k));
-    }
-  }
-}
-
-/// A diverged object stays where it was last finite, so that the others can go on around it.
-void RolloutWorld::freeze(SceneState& next, std::int64_t k) {
-  perceived_.batch.dynamic_mask[0][k] = false;
-  for (const Pose& pose : {next.current, next.previous}) {
-    Tensor rotation = pose.rotation[0][k], translation = pose.translation[0][k];
-    rotation.copy_(state_.current.rotation[0][k]);
-    translation.copy_(state_.current.translation[0][k]);
-  }
-}
-
-void RolloutWorld::record_contacts() {
-  if (solids_.solids().empty()) return;
-  const std::vector<StepContact> contacts =
-      find_contacts(steps_done(), objects_, solids_.gaps(body_poses().now, kContact_m), pressed_, met_);
-  forecast_.contacts.insert(forecast_.contacts.end(), contacts.begin(), contacts.end());
 }
 
 /// What came to rest is held like everything else again.
@@ -266,35 +272,6 @@ void RolloutWorld::settle_pushed(const SceneState& next) {
   for (std::size_t k = 0; k < pushed_.size(); ++k) {
     if (settled_step({before[k], after[k]}, rollout_.time_step_s, still) == 0) pushed_[k] = false;
   }
-}
-
-/// Whether every later step would be as this one: nothing moved, and nothing is to come.
-bool RolloutWorld::stays(const SceneState& next) const {
-  const auto same = [](const Pose& a, const Pose& b) {
-    return torch::equal(a.rotation, b.rotation) && torch::equal(a.translation, b.translation);
-  };
-  if (rollout_.control.size() > 1) return false;
-  const double now_s = forecast_.times_s.back();
-  for (const CandidateObject& object : objects_) {
-    if (object.track && object.track->times_s.back() > now_s) return false;
-    for (const Push& push : object.pushes) {
-      if (push.time_s >= now_s) return false;
-    }
-  }
-  return same(next.current, state_.current) && same(next.previous, state_.previous) &&
-         same(next.previous, next.current);
-}
-
-void RolloutWorld::repeat() {
-  const int last = steps_done();
-  forecast_.times_s.push_back(static_cast<double>(forecast_.times_s.size()) * rollout_.time_step_s);
-  for (ObjectTrajectory& object : forecast_.objects) object.poses.push_back(object.poses.back());
-  std::vector<StepContact> contacts;
-  for (const StepContact& contact : forecast_.contacts) {
-    if (contact.step == last) contacts.push_back(contact);
-  }
-  for (StepContact& contact : contacts) contact.step = last + 1;
-  forecast_.contacts.insert(forecast_.contacts.end(), contacts.begin(), contacts.end());
 }
 
 }  // namespace rigidformer

@@ -12,6 +12,7 @@
 #include "rigidformer/model/rest.hpp"
 #include "rigidformer/network_steps.hpp"
 #include "rigidformer/perceived_objects.hpp"
+#include "rigidformer/standing.hpp"
 #include "rigidformer/step_parts.hpp"
 #include "rigidformer/world_contacts.hpp"
 
@@ -48,6 +49,7 @@ class RolloutWorld {
   void assume_roles();
   void make_steps();
   void check_overlaps() const;
+  void stand();
   void set_twists();
   BodyPoses body_poses() const;
   void set_motion(std::size_t k, const BodyPoses& poses, const BodyState& motion);
@@ -56,6 +58,7 @@ class RolloutWorld {
   std::vector<bool> moved_by_others() const;
   StepParts find_parts(const std::vector<bool>& moved);
   StepPrediction predict(const std::vector<bool>& moved);
+  void hold_standing(const std::vector<bool>& moved, SceneState& next);
   void record(SceneState& next);
   void freeze(SceneState& next, std::int64_t k);
   void record_contacts();
@@ -72,6 +75,7 @@ class RolloutWorld {
   SceneState state_;
   EngineStep engine_;                      ///< Where the engine answers alone
   std::unique_ptr<NetworkSteps> network_;  ///< Where it does not
+  Standing standing_;
   Sleepers sleepers_;
   StepParts parts_;           ///< Of the last step of the network
   std::vector<bool> pushed_;  ///< Set in motion by a twist or a push, and not at rest since

@@ -54,6 +54,7 @@ struct ObjectState {
   RigidTransform T_world_previous;  ///< Pose one time step before t0
   RigidTransform T_world_current;   ///< Pose at t0
   BodyProperties properties;
+  double stood_s = 0.0;  ///< For how long up to t0 it was seen not to move [s]; 0 = it moves, or that is not known
 };
 
 }  // namespace rigidformer

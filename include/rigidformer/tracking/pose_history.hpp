@@ -10,6 +10,12 @@
 
 namespace rigidformer {
 
+/// How long, and in how many poses, an object was seen not to move.
+struct Stillness {
+  double seconds = 0.0;
+  int num_poses = 0;
+};
+
 /// The observed poses of one object over time, oldest first, bounded in number.
 class PoseHistory {
  public:
@@ -29,6 +35,10 @@ class PoseHistory {
   /// Pose at `stamp`, however far after newest_stamp(), if the twist of the last frames stayed constant; it is the
   /// newest pose where there is no other. The history must not be empty.
   RigidTransform predict(Stamp stamp) const;
+
+  /// The poses up to the newest one, which is one of them, in which the points around `centre` (object frame) up to
+  /// `radius_m` lay within `tolerance_m` of where they are in the newest one. The history must not be empty.
+  Stillness stillness(const Eigen::Vector3d& centre, double radius_m, double tolerance_m) const;
 
   Stamp newest_stamp() const { return entries_.back().stamp; }
   const RigidTransform& newest_pose() const { return entries_.back().T_world_object; }

@@ -62,6 +62,8 @@ class TrackStore {
 
   AddResult begin_track(const ObjectObservation& observation, const std::vector<int>& seen_rows);
   AddResult extend_track(Track& track, const ObjectObservation& observation, const std::vector<int>& seen_rows);
+  Stillness stillness_before(const ObjectObservation& observation, const std::vector<int>& seen_rows);
+  Stillness stillness_of(const Track& track) const;
   std::optional<CloudRegistration> match_rows(const Track& track, const ObjectObservation& observation,
                                               const std::vector<int>& seen_rows) const;
   std::optional<CloudRegistration> follow(Track& track, const ObjectObservation& observation,

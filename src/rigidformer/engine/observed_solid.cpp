@@ -69,17 +69,23 @@ ObservedSolid observe_solid(const SceneBatch& batch, const Tensor& centre_refere
     throw std::invalid_argument("the hull of its points has no volume");
   }
   ObservedSolid solid;
-  solid.hull = std::make_shared<ConvexPart>(observed.hull);
-  solid.distances = std::make_shared<SolidHull>(observed.hull);
-  solid.shape = std::make_shared<CollisionShape>(Shape{"", 1.0, {observed.hull}}, 1.0);
-  solid.volume_m3 = observed.volume_m3;
-  solid.radius_m = static_cast<double>(observed.hull.vertices.rowwise().norm().maxCoeff());
+  solid.object = k;
+  solid.dynamic = element<bool>(batch.dynamic_mask, {b, k});
   solid.complete = observed.complete;
   solid.centre_reference = observed.centre_of_mass;
-  return with_role(std::move(solid), k, element<bool>(batch.dynamic_mask, {b, k}), known_properties(batch, b, k));
+  return with_hull(std::move(solid), observed.hull, observed.volume_m3, known_properties(batch, b, k));
 }
 
 }  // namespace
+
+ObservedSolid with_hull(ObservedSolid solid, const ConvexPart& hull, double volume_m3, const BodyProperties& known) {
+  solid.hull = std::make_shared<ConvexPart>(hull);
+  solid.distances = std::make_shared<SolidHull>(hull);
+  solid.shape = std::make_shared<CollisionShape>(Shape{"", 1.0, {hull}}, 1.0);
+  solid.volume_m3 = volume_m3;
+  solid.radius_m = static_cast<double>(hull.vertices.rowwise().norm().maxCoeff());
+  return with_role(solid, solid.object, solid.dynamic, known);
+}
 
 ObservedSolid with_role(ObservedSolid solid, std::int64_t object, bool dynamic, const BodyProperties& known) {
   solid.object = object;

@@ -43,6 +43,9 @@ struct ObservedSolid {
 /// The same body in another role and of another material, as far as that is known.
 ObservedSolid with_role(ObservedSolid solid, std::int64_t object, bool dynamic, const BodyProperties& known);
 
+/// The same body with another hull, relative to the same centre of mass, of this volume; its material as far as known.
+ObservedSolid with_hull(ObservedSolid solid, const ConvexPart& hull, double volume_m3, const BodyProperties& known);
+
 /// The objects of scene `b` of a batch; centre_reference [B, K, 3] in double precision; all on the CPU. Throws
 /// BodyError for the first one whose points span no volume.
 std::vector<ObservedSolid> observe_solids(const SceneBatch& batch, const Tensor& centre_reference, std::int64_t b);

@@ -45,10 +45,14 @@ void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& n
   const Tensor still = is_still(stack(last.previous, raised, last.current),
                                 stack(last.current, last.current, next.current), dt, max_speed, limits.spin_radps);
   const Tensor was_still = still[0].logical_or(still[1]);
-  const Tensor held = was_still.logical_and(still[2]).logical_and(may_be_held).unsqueeze(-1);
+  put_back(last, was_still.logical_and(still[2]).logical_and(may_be_held), next);
+}
+
+void put_back(const SceneState& last, const Tensor& held, SceneState& next) {
+  const Tensor position = held.unsqueeze(-1), rotation = position.unsqueeze(-1);
   for (Pose* pose : {&next.previous, &next.current}) {
-    pose->translation = torch::where(held, last.current.translation, pose->translation);
-    pose->rotation = torch::where(held.unsqueeze(-1), last.current.rotation, pose->rotation);
+    pose->translation = torch::where(position, last.current.translation, pose->translation);
+    pose->rotation = torch::where(rotation, last.current.rotation, pose->rotation);
   }
 }
 

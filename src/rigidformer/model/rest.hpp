@@ -20,4 +20,7 @@ struct RestLimits {
 void hold_resting(const SceneBatch& batch, const SceneState& last, SceneState& next, const RestLimits& limits,
                   const Tensor& exempt = {});
 
+/// Puts those that `held` [B, K] bool names back to where `last` has them, at rest.
+void put_back(const SceneState& last, const Tensor& held, SceneState& next);
+
 }  // namespace rigidformer

@@ -10,6 +10,9 @@ namespace rigidformer {
 namespace {
 
 constexpr Eigen::Index kMaxReferenceInput = 2000;  // points of one cloud that are used; chosen by eye
+// Share of a cloud on the reference from which it lies in the same place: the rest is noise. What slides along its
+// faces shows its end. Chosen by eye.
+constexpr double kLiesThere = 0.95;
 constexpr double kMaxJump = 0.5;  // [size] jump of a centre; derived: one object does not reach into another
 
 // The centre is the median of each coordinate, in which stray points have no weight.
@@ -74,6 +77,11 @@ std::optional<CloudRegistration> CloudTracker::stay(const Points& points_world, 
   centre_world_ = centre_of(points_world);
   const SurfaceCloud cloud_world = surface(points_world);
   return judge(cloud_world, measure(cloud_world, T_world_object));
+}
+
+bool CloudTracker::lies_at(const Points& points_world, const RigidTransform& T_world_object) const {
+  const CloudRegistration measured = measure(surface(points_world), T_world_object);
+  return measured.objection.empty() && measured.quality.inlier_ratio >= kLiesThere;
 }
 
 CloudRegistration CloudTracker::learn(const Points& points_world, const RigidTransform& T_world_object) {

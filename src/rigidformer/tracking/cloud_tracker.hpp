@@ -28,6 +28,9 @@ class CloudTracker {
   /// Judges a cloud of an object that stands still at `T_world_object`. Empty = too many clouds in a row did not fit.
   std::optional<CloudRegistration> stay(const Points& points_world, const RigidTransform& T_world_object);
 
+  /// Whether a cloud lies on the reference cloud at `T_world_object`, as good as all of it. Changes nothing.
+  bool lies_at(const Points& points_world, const RigidTransform& T_world_object) const;
+
   /// Takes in a cloud whose pose is known from elsewhere and measures how well the two agree.
   CloudRegistration learn(const Points& points_world, const RigidTransform& T_world_object);
 

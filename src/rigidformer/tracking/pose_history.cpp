@@ -8,7 +8,7 @@ namespace rigidformer {
 
 namespace {
 
-constexpr std::size_t kMaxEntries = 64;   // poses of one object; chosen by eye
+constexpr std::size_t kMaxEntries = 128;  // poses of one object: more than half a second at 200 Hz; chosen by eye
 constexpr double kMaxSpacingRatio = 3.0;  // ratio of frames' distances; beyond it a parabola amplifies noise; by eye
 constexpr double kTwistBaseline = 0.03;   // [s] poses closer together give noise, not a velocity; chosen by eye
 constexpr double kSameInstant = 1e-9;     // [s] derived: the resolution of a stamp
@@ -63,6 +63,19 @@ RigidTransform PoseHistory::predict(Stamp stamp) const {
   }
   const double fraction = seconds_between(entries_[first].stamp, stamp) / spacing_s(first, last);
   return interpolate(entries_[first].T_world_object, entries_[last].T_world_object, fraction);
+}
+
+Stillness PoseHistory::stillness(const Eigen::Vector3d& centre, double radius_m, double tolerance_m) const {
+  const RigidTransform& newest = newest_pose();
+  Stillness still;
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    const RigidTransform& pose = entry->T_world_object;
+    const double way_m =
+        (pose * centre - newest * centre).norm() + radius_m * rotation_angle(pose.rotation, newest.rotation);
+    if (way_m > tolerance_m) break;
+    still = {seconds_between(entry->stamp, newest_stamp()), still.num_poses + 1};
+  }
+  return still;
 }
 
 double PoseHistory::spacing_s(std::size_t reference, std::size_t index) const {

@@ -10,8 +10,8 @@
 #include "rigidformer/geometry/rigid_registration.hpp"
 #include "rigidformer/scene/objection.hpp"
 #include "rigidformer/tracking/cloud_registration.hpp"
-#include "rigidformer/tracking/cloud_tracker.hpp"
 #include "rigidformer/tracking/scene_instant.hpp"
+#include "rigidformer/tracking/track.hpp"
 
 namespace rigidformer {
 
@@ -35,25 +35,6 @@ std::vector<int> common_rows(const std::vector<int>& a, const std::vector<int>& 
 }
 
 }  // namespace
-
-struct TrackStore::Track {
-  std::uint64_t number = 0;
-  Points points_reference;  ///< With `ordered`: all rows of the first cloud, about the centroid of the finite ones
-  std::vector<int> rows;    ///< With `ordered`: the finite rows of the reference
-  std::optional<CloudTracker> tracker;  ///< With the other ways of correspondence: follows the clouds
-  bool frame_is_given = false;          ///< The object frame is that of the given poses
-  PoseHistory poses;
-  Stamp arrival;  ///< When the newest cloud came
-  RegistrationQuality quality;
-  bool low_quality = false;
-  MotionMode mode = MotionMode::kDynamic;
-  BodyProperties properties;
-
-  std::optional<std::string> objection;  ///< Why it cannot be predicted, with what is known of it now
-
-  bool is_static() const { return mode == MotionMode::kStatic; }
-  Points known_points() const { return tracker ? tracker->points_object() : select_rows(points_reference, rows); }
-};
 
 TrackStore::TrackStore(const TrackingOptions& options) : options_(options) {}
 TrackStore::~TrackStore() = default;
@@ -104,6 +85,7 @@ AddResult TrackStore::begin_track(const ObjectObservation& observation, const st
   }
   track.poses.add(observation.stamp, T_world_object, options_.history.min_dt);
   track.arrival = arrival_of(observation);
+  track.before = stillness_before(observation, seen_rows);
   tracks_[observation.id] = std::make_unique<Track>(std::move(track));
   return taken_in(*tracks_[observation.id], AddResult::kNewTrack);
 }
@@ -293,6 +275,7 @@ ObservedObject TrackStore::observe(const std::string& id, const Track& track, St
   const auto previous = track.poses.pose_before(stamp, time_step_s);
   object.assumed_static = !previous;
   object.state.T_world_previous = previous.value_or(object.state.T_world_current);
+  object.state.stood_s = stillness_of(track).seconds;
   return object;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigidformer_ros/forecast/scene_forecaster.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -87,6 +88,11 @@ rigidformer::ModelInfo SceneForecaster::model_for(const ObservedScene& scene) co
   }
   ObservedScene usable = scene;
   return to_real_scale(info, take_usable(usable, info));
+}
+
+double SceneForecaster::nearest_time_step(const ObservedScene& scene, double wished_s) const {
+  const rigidformer::ModelInfo model = model_for(scene);
+  return std::clamp(wished_s, model.min_time_step_s, model.max_time_step_s);
 }
 
 RolloutSettings SceneForecaster::default_settings() const {

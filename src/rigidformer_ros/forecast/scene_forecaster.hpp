@@ -67,6 +67,9 @@ class SceneForecaster {
   /// The loaded model with its ranges in real lengths and times, at the length scale of `scene`.
   rigidformer::ModelInfo model_for(const ObservedScene& scene) const;
 
+  /// The nearest time step that the model takes at the length scale of `scene`.
+  double nearest_time_step(const ObservedScene& scene, double wished_s) const;
+
   /// The settings that the parameters `predict/*` and `service/settle_*` describe.
   RolloutSettings default_settings() const;
   void set_num_steps(int num_steps) { num_steps_ = num_steps; }

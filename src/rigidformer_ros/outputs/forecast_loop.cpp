@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "rigidformer_ros/forecast/forecast_messages.hpp"
 #include "rigidformer_ros/messages/conversions.hpp"
 
 namespace rigidformer_ros {
@@ -18,8 +19,7 @@ namespace {
 // on the time step.
 ObservedScene newest_scene(const LiveScene& live_scene, const SceneForecaster& forecaster, double wished_step_s) {
   ObservedScene scene = live_scene.snapshot(wished_step_s);
-  const rigidformer::ModelInfo model = forecaster.model_for(scene);
-  const double time_step_s = std::clamp(wished_step_s, model.min_time_step_s, model.max_time_step_s);
+  const double time_step_s = forecaster.nearest_time_step(scene, wished_step_s);
   return time_step_s == wished_step_s ? scene : live_scene.snapshot(time_step_s);
 }
 
@@ -41,6 +41,14 @@ void count_skipped(const ObservedScene& scene, std::size_t num_known, RejectionL
     if (i >= num_known || skipped.cause != rigidformer::SkipCause::kUnusable) {
       rejections.add(reason_of(skipped.cause), "'" + skipped.id + "': " + skipped.reason);
     }
+  }
+}
+
+void note_incomplete(const SceneRollout& rollout, RejectionLog& rejections) {
+  for (std::size_t i = 0; i < rollout.scene.objects.size(); ++i) {
+    if (status_of(rollout, i) != ObjectForecast::INCOMPLETE) continue;
+    rejections.note("object seen in part", "'" + rollout.scene.objects[i].state.id +
+                                               "': forecast with status INCOMPLETE, its shape is a guess");
   }
 }
 
@@ -161,6 +169,7 @@ void ForecastLoop::forecast(ObservedScene scene) {
     return;  // forgotten while it was computed
   }
   count_skipped(rollout.scene, num_skipped, context_.rejections);
+  note_incomplete(rollout, context_.rejections);
   rollout.trusted_horizon_s = context_.quality.get().trusted_horizon_s;
   publisher_.publish(rollout);
   context_.input.forecast_made();

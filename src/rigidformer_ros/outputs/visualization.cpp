@@ -56,6 +56,8 @@ std::string label_of(const std::string& id, std::uint8_t status) {
       return id + " (diverged)";
     case ObjectForecast::OUT_OF_RANGE:
       return id + " (out of range)";
+    case ObjectForecast::INCOMPLETE:
+      return id + " (incomplete)";
     default:
       return id;
   }

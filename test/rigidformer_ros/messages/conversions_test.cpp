@@ -119,6 +119,24 @@ TEST(ForecastMessages, StatusSaysTheWorstThatIsKnown) {
   EXPECT_EQ(to_forecast(rollout, {}, "map").objects[1].status, ObjectForecast::OUT_OF_RANGE);
 }
 
+TEST(ForecastMessages, WhatIsSeenInPartIsIncomplete) {
+  const auto status = [](const SceneRollout& rollout) { return to_forecast(rollout, {}, "map").objects[0].status; };
+  SceneRollout rollout = falling_scene();
+  rollout.model.engine_steps_per_s = 100.0;
+  EXPECT_EQ(status(rollout), ObjectForecast::OK) << "it falls";
+  rollout.scene.objects[0].state.stood_s = 1.0;
+  EXPECT_EQ(status(rollout), ObjectForecast::INCOMPLETE) << "it stands on nothing that is seen";
+  rollout.model.engine_steps_per_s = 0.0;
+  EXPECT_EQ(status(rollout), ObjectForecast::OK) << "without Bullet nobody knows";
+  rollout.model.engine_steps_per_s = 100.0;
+  rollout.outcome.forecast.contacts = {{0, 0, -1}};
+  EXPECT_EQ(status(rollout), ObjectForecast::OK);
+  rollout.scene.objects[0].state.points_reference.col(2).setZero();
+  EXPECT_EQ(status(rollout), ObjectForecast::INCOMPLETE) << "a sheet";
+  rollout.scene.objects[0].state.mode = rigidformer::MotionMode::kStatic;
+  EXPECT_EQ(status(rollout), ObjectForecast::OK) << "nothing is predicted of it";
+}
+
 TEST(ForecastMessages, CloudsHoldTheRightPointsAtTheRightTimes) {
   const SceneRollout rollout = falling_scene();
   const sensor_msgs::PointCloud2 cloud = to_points_cloud(rollout, {{}, 3}, "map");

@@ -97,7 +97,7 @@ TEST(Visualization, StaticObjectsHaveNoFutureAndDoubtIsSaid) {
 
 // The label and the message come from one function: each status that the message knows has its words.
 TEST(Visualization, EveryStatusButOkIsOnTheLabel) {
-  SceneRollout scene = rollout({"ok", "unseen", "doubtful", "lost", "fast", "both"}, 6);
+  SceneRollout scene = rollout({"ok", "unseen", "doubtful", "lost", "fast", "both", "sheet"}, 6);
   std::vector<ObservedObject>& objects = scene.scene.objects;
   objects[1].assumed_static = true;
   objects[2].low_quality = true;
@@ -106,13 +106,15 @@ TEST(Visualization, EveryStatusButOkIsOnTheLabel) {
   objects[4].state.T_world_current.translation.x() = 2.0 * scene.scene.time_step_s;
   objects[5].state.T_world_current = objects[4].state.T_world_current;
   objects[5].low_quality = true;  // of two doubts the label names the same one as the message
+  objects[6].state.points_reference.col(1) *= 0.01F;
   const std::map<std::string, std::pair<int, std::string>> expected = {
       {"ok", {ObjectForecast::OK, "ok"}},
       {"unseen", {ObjectForecast::ASSUMED_STATIC, "unseen (assumed static)"}},
       {"doubtful", {ObjectForecast::LOW_QUALITY, "doubtful (low quality)"}},
       {"lost", {ObjectForecast::DIVERGED, "lost (diverged)"}},
       {"fast", {ObjectForecast::OUT_OF_RANGE, "fast (out of range)"}},
-      {"both", {ObjectForecast::LOW_QUALITY, "both (low quality)"}}};
+      {"both", {ObjectForecast::LOW_QUALITY, "both (low quality)"}},
+      {"sheet", {ObjectForecast::INCOMPLETE, "sheet (incomplete)"}}};
   const auto markers = by_key(ForecastVisualizer(DisplayParameters(), "map").draw(scene));
   scene.outcome.settled_steps.assign(objects.size(), -1);
   for (const ObjectForecast& object : to_forecast(scene, ForecastSelection(), "map").objects) {
