@@ -86,8 +86,7 @@ class StillPlay {
 };
 
 SceneRollout forecast(const rigidformer::TrackStore& tracks, const StillOptions& options,
-                      const rigidformer_ros::NodeParameters& parameters,
-                      rigidformer_ros::SceneForecaster& forecaster) {
+                      const rigidformer_ros::NodeParameters& parameters, rigidformer_ros::SceneForecaster& forecaster) {
   const double wished_s = parameters.predict.time_step;
   const double time_step_s = forecaster.nearest_time_step(tracks.snapshot(wished_s), wished_s);
   rigidformer_ros::RolloutSettings settings = forecaster.default_settings();
@@ -125,8 +124,7 @@ void count(const SceneRollout& rollout, const StillOptions& options, StillReport
 }  // namespace
 
 StillReport play_still_scene(const StillScene& scene, const StillOptions& options,
-                             const SegmentationOptions& segmentation,
-                             const rigidformer_ros::NodeParameters& parameters,
+                             const SegmentationOptions& segmentation, const rigidformer_ros::NodeParameters& parameters,
                              rigidformer_ros::SceneForecaster& forecaster) {
   StillPlay play(scene, options, segmentation, parameters);
   StillReport report;

@@ -14,8 +14,8 @@
 
 /// One cloud of a camera before a table on which nothing moves.
 struct StillScene {
-  rigidformer::Points points_camera;          ///< [N, 3] m; NaN = nothing was measured
-  std::vector<std::uint32_t> labels;          ///< [N]; 0 = no object. Empty = the cloud has none
+  rigidformer::Points points_camera;           ///< [N, 3] m; NaN = nothing was measured
+  std::vector<std::uint32_t> labels;           ///< [N]; 0 = no object. Empty = the cloud has none
   rigidformer::RigidTransform T_world_camera;  ///< The table is the plane z = 0
 };
 
@@ -38,9 +38,9 @@ struct StillOptions {
 /// What was forecast of one object.
 struct StillObject {
   int num_forecasts = 0;
-  int num_moved = 0;                        ///< Forecasts in which it does not stand still
+  int num_moved = 0;                          ///< Forecasts in which it does not stand still
   std::map<std::uint8_t, int> num_of_status;  ///< Forecasts by ObjectForecast's status
-  std::vector<double> moved_m, turned_rad;  ///< The farthest within each forecast
+  std::vector<double> moved_m, turned_rad;    ///< The farthest within each forecast
 };
 
 /// What was forecast of a scene.
@@ -53,8 +53,7 @@ struct StillReport {
 
 /// Publishes the scene to the classes that the node uses, again and again with other noise, and forecasts every cloud.
 StillReport play_still_scene(const StillScene& scene, const StillOptions& options,
-                             const SegmentationOptions& segmentation,
-                             const rigidformer_ros::NodeParameters& parameters,
+                             const SegmentationOptions& segmentation, const rigidformer_ros::NodeParameters& parameters,
                              rigidformer_ros::SceneForecaster& forecaster);
 
 /// The report as a table with a row per object.

@@ -149,7 +149,7 @@ TEST_F(MeasuredModelTest, ForecastsTellTheirDoubt) {
     ASSERT_EQ(object.position_stddev_m.size(), object.poses.size());
     EXPECT_NEAR(object.position_stddev_m.front(), 0.02 * first_speed_mps(object), 1e-12)
         << "as the table says of 1 m/s";
-    for (const double stddev_m : object.position_stddev_m) EXPECT_GT(stddev_m, 0.999 * object.position_stddev_m.front());
+    for (const double stddev_m : object.position_stddev_m) EXPECT_GT(stddev_m, 0.999 * object.position_stddev_m[0]);
   }
   rollout.num_particles = 4;
   const Forecast with = predictor_->predict(scene_, rollout);

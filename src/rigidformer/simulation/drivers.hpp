@@ -32,9 +32,8 @@ struct Driver {
 
 /// How far [m] a block moves from a pose in world along a unit direction until it touches something, but no farther
 /// than `most_m`; empty = nowhere, or it overlaps something already.
-using Reach =
-    std::function<std::optional<double>(const Block& block, const RigidTransform& T_world_block,
-                                        const Eigen::Vector3d& direction, double most_m)>;
+using Reach = std::function<std::optional<double>(const Block& block, const RigidTransform& T_world_block,
+                                                  const Eigen::Vector3d& direction, double most_m)>;
 
 /// An object at rest that a driver goes for.
 struct DriverTarget {

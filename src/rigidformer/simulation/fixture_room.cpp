@@ -103,8 +103,7 @@ bool FixtureRoom::comes_to_rest(int body, const Vector3d& foot_world) {
 
 bool FixtureRoom::add_free(const RecordedObject& object, const RigidTransform& T_world_object) {
   if (bounds(object, T_world_object).min().z() < 0.0) return false;
-  const int body =
-      world_.add_body(find_shape(shapes_, object.shape), object.size, object.properties, {T_world_object});
+  const int body = world_.add_body(find_shape(shapes_, object.shape), object.size, object.properties, {T_world_object});
   if (!world_.overlaps_any(body)) return true;
   world_.remove_last_body();
   return false;

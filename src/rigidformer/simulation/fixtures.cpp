@@ -96,8 +96,8 @@ Fixture draw_bin(double unit_m, Random& random) {
 
 Fixture draw_wall(double unit_m, Random& random) {
   Fixture wall;
-  const Block slab = block_of({unit_m * draw(random, kWallLength), unit_m * draw(random, kThickness),
-                               unit_m * draw(random, kWallHeight)});
+  const Block slab = block_of(
+      {unit_m * draw(random, kWallLength), unit_m * draw(random, kThickness), unit_m * draw(random, kWallHeight)});
   add(wall, slab, {0.0, 0.0, 0.5 * slab.edges.z()});
   for (int i = 0; i < 4; ++i) {
     const double side = random.uniform_int(0, 1) == 0 ? -1.0 : 1.0;

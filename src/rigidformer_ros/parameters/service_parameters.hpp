@@ -39,7 +39,7 @@ void for_each_member(ServiceParameters& o, const Visit& visit) {
   visit("max_candidate_steps", o.max_candidate_steps, between(1, 1e8), "candidates times steps per request");
   visit("max_returned_poses", o.max_returned_poses, between(1, 1e8), "of all candidates of a request");
   visit("num_particles", o.num_particles, between(1, 64),
-        "worlds per candidate among which unknown material is drawn, where a request names no number; 1 = none");
+        "worlds per candidate, where a request names no number; 1 = none");
   visit("max_particles", o.max_particles, between(1, 64), "per candidate");
   visit("max_particle_steps", o.max_particle_steps, between(1, 1e8), "candidates times particles times steps");
   visit("batch_threads", o.batch_threads, between(1, 256), "CPU threads on which candidates take their steps");
