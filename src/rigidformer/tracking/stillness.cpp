@@ -6,7 +6,7 @@ namespace rigidformer {
 namespace {
 
 // Of the noise of a point, which the poses of an object at rest stay within. On the real table scenes
-// (docs/reliability.md) they leave one such noise in every third cloud, and two in none of 100.
+// (docs/reliability.md) they left one such noise in every third cloud, and two in none of 60, with which it was chosen.
 constexpr double kStillNoise = 2.0;
 
 }  // namespace
