@@ -10,7 +10,7 @@
 
 int main() try {
   rigidformer::PredictorOptions options;
-  options.file = RIGIDFORMER_SOURCE_DIR "/models/small.safetensors";
+  options.file = RIGIDFORMER_SOURCE_DIR "/models/hybrid.safetensors";
   rigidformer::Predictor predictor(options);
 
   rigidformer::ObjectState cube;

@@ -63,7 +63,7 @@ size_t rest_step(const std::vector<RigidTransform>& poses) {
 
 int main() try {
   PredictorOptions options;
-  options.file = RIGIDFORMER_SOURCE_DIR "/models/small.safetensors";
+  options.file = RIGIDFORMER_SOURCE_DIR "/models/hybrid.safetensors";
   Predictor predictor(options);
   RolloutOptions rollout;
   rollout.num_steps = kNumSteps;

@@ -74,7 +74,7 @@ score() {  # FILE DATA OPTIONS: skips what is there
     --horizons 20,30,40,60 "${@:3}" >&2
 }
 see_as() { if [ "$1" = one_view ]; then see=(--view --noise 0.002); else see=(--noise 0); fi; }
-declare -A model=([rigidformer]=$root/models/small.safetensors [network]=$root/models/network.safetensors
+declare -A model=([rigidformer]=$root/models/hybrid.safetensors [network]=$root/models/network.safetensors
   [varied]=$root/models/varied.safetensors)
 engines=bullet,mujoco
 for seen in complete one_view; do

@@ -16,7 +16,7 @@ namespace {
 /// The checkpoint that comes with the package: of the installation that holds this program, else of the source tree.
 std::string shipped_model() {
   namespace fs = std::filesystem;
-  const fs::path file = fs::path("models") / "small.safetensors";
+  const fs::path file = fs::path("models") / "hybrid.safetensors";
   const fs::path program = fs::read_symlink("/proc/self/exe");
   for (fs::path folder = program.parent_path(); folder != folder.parent_path(); folder = folder.parent_path()) {
     const fs::path installed = folder / "share" / "rigidformer_ros" / file;

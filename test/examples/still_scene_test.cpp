@@ -18,7 +18,7 @@ constexpr double kMinShare = 0.95;  // of the forecasts; the first two know too 
 std::unique_ptr<rigidformer_ros::SceneForecaster> load(rigidformer_ros::NodeParameters& parameters) {
   parameters.correspondence.method = rigidformer::Correspondence::kRegistration;
   parameters.predict.length_scale.reset();
-  parameters.model.file = RIGIDFORMER_SOURCE_DIR "/models/small.safetensors";
+  parameters.model.file = RIGIDFORMER_SOURCE_DIR "/models/hybrid.safetensors";
   return rigidformer_ros::camera::make_ready_forecaster(parameters, rigidformer_ros::load_model(parameters.model));
 }
 

@@ -111,7 +111,7 @@ void for_each_member(InputParameters& o, const Visit& visit) {
 
 /// Those of the predictor's options that are parameters of the node.
 struct ModelParameters : rigidformer::PredictorOptions {
-  ModelParameters() { file = "package://rigidformer_ros/models/small.safetensors"; }
+  ModelParameters() { file = "package://rigidformer_ros/models/hybrid.safetensors"; }
 };
 
 template <typename Visit>

@@ -116,7 +116,7 @@ void play_random_scenes(SceneForecaster& forecaster, int rounds) {
 
 NodeParameters shipped_model() {
   NodeParameters parameters;
-  parameters.model.file = RIGIDFORMER_SOURCE_DIR "/models/small.safetensors";
+  parameters.model.file = RIGIDFORMER_SOURCE_DIR "/models/hybrid.safetensors";
   parameters.model.device = "cpu";
   parameters.model.warmup_runs = 0;
   return parameters;

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The weights in the repository.
-const char kShippedModel[] = RIGIDFORMER_SOURCE_DIR "/models/small.safetensors";
+const char kShippedModel[] = RIGIDFORMER_SOURCE_DIR "/models/hybrid.safetensors";
 
 class ModelLoadingTest : public ::testing::Test {
  protected:

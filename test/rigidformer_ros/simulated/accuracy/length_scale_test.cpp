@@ -35,7 +35,7 @@ constexpr int kSteps = 6;
 // Frames of the recording per step: the default time step of the node is 1/24 s, or ten frames of 1/240 s.
 constexpr int kFramesPerStep = 10;
 // The weights in the repository. Without them the tests are skipped.
-const std::string kModel = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/small.safetensors";
+const std::string kModel = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/hybrid.safetensors";
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> instance = rigidformer::movi_shapes(MoviSet::kA, rigidformer::builtin_shapes());

@@ -59,7 +59,7 @@ TEST(TrackingAccuracy, OrderedCloudsAreTrackedExactly) {
 // This test watches one scene. scripts/tracking_accuracy.sh makes the full measurement over ten scenes.
 TEST(TrackingAccuracy, RegistrationKeepsUpWithTruePoses) {
   NodeParameters parameters;
-  parameters.model.file = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/small.safetensors";
+  parameters.model.file = std::string(RIGIDFORMER_SOURCE_DIR) + "/models/hybrid.safetensors";
   parameters.model.warmup_runs = 0;
   if (!std::filesystem::exists(parameters.model.file)) {
     GTEST_SKIP() << "no weights";
