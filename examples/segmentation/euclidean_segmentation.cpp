@@ -74,16 +74,18 @@ std::optional<Eigen::Vector4d> ground_of(const rigidformer::Points& points, cons
 }
 
 // Lists the rows of the points above the largest plane: what is below it is noise of the plane, or no object on it.
+// Where the camera itself lies on the plane, as in a cloud that is told in the frame of the table, no side is above.
 std::vector<int> without_ground(const rigidformer::Points& points, const std::vector<int>& rows,
                                 const SegmentationOptions& options) {
   const std::optional<Eigen::Vector4d> plane = ground_of(points, rows, options);
   if (!plane) {
     return rows;
   }
+  const bool has_upper_side = (*plane)[3] > options.plane_distance;
   std::vector<int> rest;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(rest), [&](int row) {
     const double height = plane->head<3>().dot(points.row(row).cast<double>()) + (*plane)[3];
-    return height > options.plane_distance;
+    return (has_upper_side ? height : std::abs(height)) > options.plane_distance;
   });
   return rest;
 }

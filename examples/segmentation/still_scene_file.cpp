@@ -4,6 +4,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -28,6 +29,16 @@ Number value_at(const pcl::PCLPointCloud2& cloud, const pcl::PCLPointField& fiel
   return number;
 }
 
+bool has_header(const std::string& file) {
+  std::ifstream stream(file);
+  std::string line;
+  while (std::getline(stream, line) && line.size() < 1000) {
+    if (line.rfind("POINTS", 0) == 0) return true;
+    if (line.rfind("DATA", 0) == 0) return false;
+  }
+  return false;
+}
+
 /// World: the plane is z = 0, and the camera stands above the origin.
 rigidformer::RigidTransform stand_on(const Eigen::Vector4d& plane_camera) {
   const Eigen::Quaterniond R =
@@ -39,6 +50,8 @@ rigidformer::RigidTransform stand_on(const Eigen::Vector4d& plane_camera) {
 
 StillScene read_still_scene(const std::string& file, const SegmentationOptions& options) {
   pcl::PCLPointCloud2 cloud;
+  // PCL's reader crashes on files that have no header of its own.
+  if (!has_header(file)) throw std::runtime_error(file + ": is not a PCD file");
   if (pcl::PCDReader().read(file, cloud) != 0) throw std::runtime_error(file + ": cannot be read as a PCD file");
   const pcl::PCLPointField* xyz[] = {field_of(cloud, "x"), field_of(cloud, "y"), field_of(cloud, "z")};
   const pcl::PCLPointField* label = field_of(cloud, "label");

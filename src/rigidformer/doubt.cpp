@@ -39,9 +39,9 @@ std::vector<Knowledge> knowledge_of(const std::vector<CandidateObject>& objects,
   return knowledge;
 }
 
-Progress progress_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step,
-                     double time_step_s) {
-  Progress progress{Phase::kFree, static_cast<double>(step) * time_step_s, kLeastSpeed_mps};
+MotionProgress progress_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step,
+                           double time_step_s) {
+  MotionProgress progress{Phase::kFree, static_cast<double>(step) * time_step_s, kLeastSpeed_mps};
   for (std::size_t i = 1; i <= std::max<std::size_t>(step, 1) && i < poses.size(); ++i) {
     const double speed_mps = (poses[i].translation - poses[i - 1].translation).norm() / time_step_s;
     progress.speed_mps = std::max(progress.speed_mps, speed_mps);
@@ -84,7 +84,7 @@ void add_doubt(const DoubtTable& table, const std::vector<Knowledge>& knowledge,
     if (modes[k] != MotionMode::kDynamic) continue;  // nobody doubts what is given
     const int first_contact = first_contact_step(forecast, static_cast<int>(k));
     for (std::size_t step = object.position_stddev_m.size(); step < object.poses.size(); ++step) {
-      const Progress progress = progress_of(object.poses, first_contact, step, forecast.times_s[1]);
+      const MotionProgress progress = progress_of(object.poses, first_contact, step, forecast.times_s[1]);
       const DoubtCell cell = table.at(knowledge[k], progress.phase, progress.time_s);
       const Doubt doubt = total_doubt(cell, progress.speed_mps, spread(k, step));
       object.position_stddev_m.push_back(doubt.position_m);

@@ -19,7 +19,7 @@ std::vector<Knowledge> knowledge_of(const std::vector<CandidateObject>& objects,
                                     const std::vector<ObservedSolid>& solids);
 
 /// What an object has gone through up to a step: errors begin with a contact, and grow with the speed that it had.
-struct Progress {
+struct MotionProgress {
   Phase phase = Phase::kFree;
   double time_s = 0.0;     ///< Since the first contact, or since the observation without one
   double speed_mps = 0.0;  ///< The largest of its origin so far, at least kLeastSpeed_mps
@@ -27,7 +27,8 @@ struct Progress {
 constexpr double kLeastSpeed_mps = 0.1;  ///< What is slower is held still by the shipped models
 
 /// Of a step of a motion that touches something first at step `first_contact`, -1 = never.
-Progress progress_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step, double time_step_s);
+MotionProgress progress_of(const std::vector<RigidTransform>& poses, int first_contact, std::size_t step,
+                           double time_step_s);
 
 /// How far poses lie apart: of each coordinate of the position and of the rotation vector from their mean. At least
 /// two.

@@ -12,8 +12,9 @@
 
 namespace {
 
-constexpr int kClouds = 40;         // 8 s
-constexpr double kMinShare = 0.95;  // of the forecasts; the first two know too little
+constexpr int kClouds = 40;  // 8 s
+// Of the forecasts. Fragments that the segmentation finds now and then fall (docs/reliability.md).
+constexpr double kMinShare = 0.75, kMinOkShare = 0.95;
 
 std::unique_ptr<rigidformer_ros::SceneForecaster> load(rigidformer_ros::NodeParameters& parameters) {
   parameters.correspondence.method = rigidformer::Correspondence::kRegistration;
@@ -37,6 +38,7 @@ TEST(StillSceneTest, P59_WhatStandsOnRealTablesIsForecastToStand) {
     EXPECT_EQ(report.num_forecasts, kClouds);
     EXPECT_GE(report.objects.size(), 2U) << entry.path();
     EXPECT_GE(report.num_still, kMinShare * kClouds) << entry.path() << '\n' << still_table(report);
+    EXPECT_GE(report.num_ok_still, kMinOkShare * kClouds) << entry.path() << '\n' << still_table(report);
   }
 }
 

@@ -12,7 +12,7 @@ namespace rigidformer {
 /// How far one predicted pose was from the truth, and how far its particles were from each other.
 struct DoubtSample {
   Knowledge knowledge = Knowledge::kMaterial;
-  Progress progress;
+  MotionProgress progress;
   Eigen::Vector3d position_error_m = Eigen::Vector3d::Zero(), rotation_error_rad = Eigen::Vector3d::Zero();
   Doubt spread;
 };
